@@ -157,8 +157,7 @@ class TrainingSpec(SpecPart):
     stopped and calibrated by its own fold of the presses. `trees`: extremely randomised trees
     with each network, whose answers are weighed in. `process`: a Gaussian process answers where
     a frame is novel. Left out, these four follow from the data (`estimator.networks.defaults`).
-    `twins`: simulated objects that `instobj run --to pretraining` draws within `[tolerances]`, or
-    `--twin` within what labelled presses leave possible.
+    `twins`: simulated objects that `--twin` draws within what labelled presses leave possible.
     """
 
     model: Literal["inversion", "compact", "whole-object"] = "inversion"

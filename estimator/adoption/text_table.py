@@ -5,13 +5,10 @@ Nothing is executed or unpickled: every cell is a number, a time stamp, or text 
 
 from __future__ import annotations
 
-import gzip
 import re
-import zlib
 from collections import Counter
 from dataclasses import dataclass
 from datetime import datetime
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +18,7 @@ from design.errors import RecordingError
 from estimator.recordings.formats.text import is_number, naming, read_bytes
 
 MOST_BYTES = 400_000_000
-"""Largest text that is read, packed or not: a log of some hours, and no bomb of a small archive."""
+"""Largest text that is read, unpacked: a log of some hours."""
 MOST_COLUMNS = 3000
 """Columns of a row, at most: a thousand chips."""
 _SAMPLE = 200
@@ -65,12 +62,6 @@ def read_text_table(path: Path) -> TextTable:
 
 def _text(path: Path) -> str:
     content = read_bytes(path)
-    if content[:2] == b"\x1f\x8b":
-        try:
-            with gzip.open(BytesIO(content)) as packed:
-                content = packed.read(MOST_BYTES + 1)
-        except (OSError, EOFError, zlib.error):
-            raise RecordingError("its gzip archive is damaged. Copy it again") from None
     if len(content) > MOST_BYTES:
         raise RecordingError(f"it holds more than {MOST_BYTES / 1e6:g} MB of text. Split it")
     try:

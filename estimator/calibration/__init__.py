@@ -1,1 +1,1 @@
-"""Models against built objects: validation, digital twin, pretraining."""
+"""Models against built objects: validation, digital twin."""

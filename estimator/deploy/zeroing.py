@@ -351,11 +351,9 @@ def is_press_seen_from(
     level: Float[np.ndarray, "channel"],
     doubted: Float[np.ndarray, "channel"],
     read: ReadStill,
-    frames: int = 1,
 ) -> bool:
-    """Return whether the doubted level, of n frames, reads as a press from a level, far more than turned
-    round."""
-    forward, back = read(doubted - level, frames), read(level - doubted, frames)
+    """Return whether the doubted level reads as a press from a level, far more than turned round."""
+    forward, back = read(doubted - level, 1), read(level - doubted, 1)
     return forward.explained is not False and forward.force_n > max(PRESS_FORCE_N, 2 * back.force_n)
 
 

@@ -95,12 +95,10 @@ class MixedModel:
 MagnetsModel = FieldModel | MixedModel
 
 
-def magnets_model(
-    magnets: MagnetSpec, nearest_distance_mm: float, tolerance: float = 1e-3
-) -> MagnetsModel:
+def magnets_model(magnets: MagnetSpec, nearest_distance_mm: float) -> MagnetsModel:
     """`field_model` of every size of a specification's magnets."""
     return _combined_model(
-        [field_model(magnet, nearest_distance_mm, tolerance) for magnet in magnet_sources(magnets)]
+        [field_model(magnet, nearest_distance_mm) for magnet in magnet_sources(magnets)]
     )
 
 

@@ -40,6 +40,8 @@ PRIOR_PROBABILITY = 1e-3
 POOR_FIT = 1e-3
 """Below this probability of a worse fit by chance even the best hypothesis is not believed."""
 _LEADERS = 20
+_SHOWN = 5
+"""Most likely hypotheses of an answer, at most."""
 _NEARER_MM = 1.0
 """Distance by which tolerances may bring a magnet nearer to a sensor."""
 _STEP = 0.05
@@ -193,7 +195,6 @@ def self_test(
     model: RestModel,
     counts: Float[np.ndarray, "channel"],
     healthy_objects: int = 100,
-    shown: int = 5,
 ) -> SelfTest:
     """The likeliest none, one or two faults behind resting counts; NaN where a channel is dead.
 
@@ -204,7 +205,7 @@ def self_test(
     pairs = [(a, b) for a in leaders for b in model.faults if a is not b]
     ranked = sorted(single + rank(model, counts, pairs), key=lambda h: -h.log_odds)
     return SelfTest(
-        tuple(distinct_faults(ranked)[:shown]),
+        tuple(distinct_faults(ranked)[:_SHOWN]),
         false_alarm_rate(spec, model, healthy_objects),
         healthy_objects,
     )

@@ -24,11 +24,6 @@ from instobj.cli.options import (
 
 app = typer.Typer()
 
-Start = Annotated[
-    Path | None,
-    typer.Option(help="Folder of face_<n>.safetensors to start from, e.g. pre-trained ones."),
-]
-
 Twin = Annotated[
     Path | None,
     typer.Option(
@@ -41,7 +36,6 @@ Twin = Annotated[
 @app.command(rich_help_panel=MEASURE)
 def train(
     sources: Sources,
-    start: Start = None,
     twin: Twin = None,
     on: Annotated[
         Path | None,
@@ -67,15 +61,15 @@ def train(
     with --set training.model=compact: networks, one per face.
     """
     if export:
-        if start or twin or on or overrides:
-            raise InputError("--export trains nothing: leave out --start, --twin, --on and --set")
+        if twin or on or overrides:
+            raise InputError("--export trains nothing: leave out --twin, --on and --set")
         export_trained(sources, out, as_json)
         return
     out = out or HERE
     from instobj.commands.run import run_estimator
 
     stages = ("networks", "metrics")
-    show(run_estimator(sources, stages, out, overrides or [], start, twin, on), as_json)
+    show(run_estimator(sources, stages, out, overrides or [], twin, on), as_json)
 
 
 def export_trained(

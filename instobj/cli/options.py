@@ -113,7 +113,6 @@ TARGETS = {
     "robustness": "robustness",
     "slip": "slip",
     "frames": "frames",
-    "pretraining": "pretraining",
     "verdict": "scores weak_areas press_curves robustness alternatives",
     "report": "report",
 }

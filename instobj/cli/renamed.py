@@ -19,7 +19,6 @@ CHAIN = {
     "compliance": "compliance",
     "identify": "identify",
     "robustness": "robustness",
-    "pretrain": "pretraining",
     "report": "report",
 }
 """Old command → its value of `run --to`."""
@@ -28,6 +27,7 @@ GONE = {
     "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
+    "pretrain": "instobj train FRAMES --twin SPEC, or instobj train SPEC (no presses)",
     "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
@@ -65,6 +65,7 @@ OPTIONS = {
     "rig --turn": "--middle X,Y,Z,TURN",
     "score --body": "--also jaw",
     "score --shear": "--also shear",
+    "train --start": "--twin SPEC, or instobj train SPEC (no presses)",
     "store --older-than": "--free 30d",
     "validate --exchanges": "nothing: nulls have 19 permutations",
     "--storage": "--out FOLDER",

@@ -199,7 +199,7 @@ def _rows(number: np.ndarray, time_s: np.ndarray, prediction: Prediction) -> lis
 
 def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]:
     """Write an ONNX file for each trained estimator, next to it or in `out`; a folder is its estimators,
-    with those of the folders of their own in it (`own_folder`), which are kept apart in `out` too.
+    with those of the folders of their own in it (`own_folder_of`), which are kept apart in `out` too.
 
     One that inverts the forward model is what the robot reads already: it is read once, and copied to
     `out`.

@@ -313,15 +313,13 @@ def run_estimator(
     stages: tuple[str, ...],
     out: Path,
     overrides: list[str],
-    start: Path | None = None,
     twin: Path | None = None,
     on: Path | None = None,
 ) -> dict[str, Any]:
     """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
 
-    On data sets training goes on from the estimators in the folder `start`, if given, and gets
-    presses of the calibrated twin of the specification `twin`, if given. Contacts by inversion are
-    judged on the data set `on`, if given.
+    On data sets training gets presses of the calibrated twin of the specification `twin`, if given.
+    Contacts by inversion are judged on the data set `on`, if given.
     """
     from instobj.commands.inversion import invert_on_data_set
     from instobj.commands.training import run_on_data_set, settings_of
@@ -332,11 +330,11 @@ def run_estimator(
     objects = []
     for path in sources:
         inverts = path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion"
-        _require_trainable(path, start, twin, None if inverts else on)
+        _require_trainable(path, twin, None if inverts else on)
         if inverts:
             objects.append(invert_on_data_set(path, stages, out, overrides, twin, on))
         elif path.suffix == ".nc":
-            objects.append(run_on_data_set(path, stages, out, overrides, start, twin))
+            objects.append(run_on_data_set(path, stages, out, overrides, twin))
         else:
             spec = load_spec(path, overrides)
             inverting = spec.training.model == "inversion"
@@ -367,7 +365,7 @@ def _results_name(path: Path, overrides: list[str]) -> str:
     return run_name(path) if is_data else load_spec(path, overrides).name
 
 
-def _require_trainable(path: Path, start: Path | None, twin: Path | None, on: Path | None) -> None:
+def _require_trainable(path: Path, twin: Path | None, on: Path | None) -> None:
     """A data set or a specification, and no options that are not for it."""
     if path.suffix == ".csv":
         raise InputError(
@@ -379,11 +377,10 @@ def _require_trainable(path: Path, start: Path | None, twin: Path | None, on: Pa
             f"--on judges contacts that inversion reads in another data set; got {path}. Add "
             "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out"
         )
-    if path.suffix != ".nc" and (start is not None or twin is not None):
+    if path.suffix != ".nc" and twin is not None:
         raise InputError(
-            f"{'--twin' if start is None else '--start'} is for data sets (.nc); got the "
-            f"specification {path}. Leave it out, or give the data set of the object that the "
-            "estimators are tuned to"
+            f"--twin is for data sets (.nc); got the specification {path}. Leave it out, or give the "
+            "data set of the object"
         )
 
 

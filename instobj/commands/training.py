@@ -20,8 +20,8 @@ from instobj.commands.data_set import (
 from instobj.commands.next_step import next_step
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, own_folder, require_writable, run_folder
-from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, face_model_paths
+from instobj.store.publish import TWIN, file_rows, require_writable, run_folder
+from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -120,14 +120,12 @@ def run_on_data_set(
     stages: tuple[str, ...],
     out: Path,
     overrides: list[str],
-    start: Path | None = None,
     twin_spec: Path | None = None,
 ) -> dict[str, Any]:
     """Train (and evaluate) on a data set file; results go to `runs/<name>`.
 
-    Training goes on from the estimators in the folder `start`, if given, and gets presses of the
-    calibrated twin of the specification `twin_spec`, if given: such estimators lie in folders of their
-    own below it (`own_folder`).
+    Training gets presses of the calibrated twin of the specification `twin_spec`, if given: such
+    estimators lie in a folder of their own below it, `twin`.
 
     Raises
     ------
@@ -147,11 +145,10 @@ def run_on_data_set(
     frames, progress = load_frames(path), ProgressLine()
     twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
     inputs = _network_inputs(path, training, seed) | {
-        "start": None if start is None else _keys_of_models(start),
         "twin": None if twin is None else twin.inputs,
     }
     unfinished = unfinished_folder(stage_key("networks", inputs))
-    how = Fitting(training, seed, progress.step, unfinished, start, twin)
+    how = Fitting(training, seed, progress.step, unfinished, twin)
     split = split_presses(frames, seed)
 
     def train(folder: Path, _: Results) -> None:
@@ -167,7 +164,7 @@ def run_on_data_set(
         DataStage("metrics", "held-out presses", evaluate),
     )
     chosen = [stage for stage in stages_in_order if stage.name in (*stages, "networks")]
-    folder = own_folder(start is not None, twin is not None)
+    folder = "" if twin is None else TWIN
     document = work_through(path, out, inputs, chosen, progress, folder)
     document["summary"] |= {"presses of the data set": data_parts(frames, split)}
     return document
@@ -219,7 +216,6 @@ def _network_inputs(path: Path, training: TrainingSpec, seed: int) -> dict[str, 
         "data_set": file_key(path),
         "training": training.model_dump(mode="json"),
         "seed": seed,
-        "start": None,
         "twin": None,
     }
 
@@ -310,16 +306,6 @@ def _specified_checks(path: Path) -> tuple[Grid, Limits, ObjectSpec]:
     grid = contact_grid(spec)
     limits = Limits(full_scale_counts(spec.sensors) + 1, max(spec.body.size_mm) / 2)
     return (grid.x_mm, grid.y_mm), limits, spec
-
-
-def _keys_of_models(folder: Path) -> dict[str, str]:
-    paths = face_model_paths(folder)
-    if not paths:
-        raise InputError(
-            f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "
-            "run SPEC --to pretraining` or `instobj train` wrote"
-        )
-    return {path.name: file_key(path) for path in paths}
 
 
 def settings_of(overrides: list[str]) -> tuple[TrainingSpec, int]:

@@ -194,5 +194,5 @@ _ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
     **dict.fromkeys(("presses", "signals"), _signals),
     **dict.fromkeys(("collection", "pulled_collection"), _collection),
     "frames": _frames,
-    **dict.fromkeys(("networks", "pretraining"), _networks),
+    "networks": _networks,
 }

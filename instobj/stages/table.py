@@ -39,14 +39,11 @@ from instobj.stages.makers.signals import (
     make_identify,
     make_metrics,
     make_networks,
-    make_pretraining,
     make_robustness,
     make_scores,
     make_shear_scores,
     make_signals,
-    make_twin_frames,
     make_weak_areas,
-    pretraining_twins,
 )
 from instobj.stages.makers.slip import make_slip, objects_compared
 from instobj.store.stage import Stage
@@ -258,23 +255,6 @@ STAGES: dict[str, Stage] = {
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
         version=2,
-    ),
-    "twin_frames": Stage(
-        "estimator: presses of a virtual object",
-        ("presses",),
-        (
-            *("magnets", "sensors", "arrangement", "environment", "as_built", "tolerances"),
-            *("protocol", "silicone.prony", "seed"),
-        ),
-        make_twin_frames,
-    ),
-    "pretraining": Stage(
-        "estimator: pre-training on virtual objects",
-        ("presses",),
-        ("training", *_NUISANCES, "seed"),
-        make_pretraining,
-        version=7,
-        of_others=pretraining_twins,
     ),
     "networks": Stage(
         "estimator: training",

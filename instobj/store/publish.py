@@ -18,9 +18,9 @@ from instobj.store.record import RECORD
 
 _BESIDE_THE_PARTS = ("fabrication", "sheet")
 """Stages whose files go to the parts, not to the results."""
-TUNED, TWIN = "tuned", "twin"
-OWN_FOLDERS = (TUNED, TWIN, f"{TUNED}+{TWIN}")
-"""Mark of estimators that began with others (`--start`), or saw presses of a twin (`--twin`)."""
+TWIN = "twin"
+"""Folder below the results of a data set for estimators that saw presses of a twin (`--twin`)."""
+OWN_FOLDERS = (TWIN,)
 
 
 def run_folder(out: Path, name: str) -> Path:
@@ -41,14 +41,8 @@ def run_name(data_set: Path) -> str:
     return f"{folder}/{kinds[data_set.name]}" if data_set.name in kinds else stem
 
 
-def own_folder(started: bool, with_twin: bool) -> str:
-    """Folder below the results of a data set for estimators that are more than a training on it, next to
-    the plain training's; "" for these."""
-    return "+".join(name for name, on in ((TUNED, started), (TWIN, with_twin)) if on)
-
-
 def own_folder_of(model: Path) -> str:
-    """The same of a model's file, by where it lies."""
+    """Name of such a folder, by where a model's file lies; "" elsewhere."""
     name = model.absolute().parent.name
     return name if name in OWN_FOLDERS else ""
 

@@ -15,7 +15,7 @@ from instobj.figures.saving import save_figure
 from instobj.report.pages import write_page
 from instobj.store.content import StoredResult, find
 from instobj.store.publish import publish_to, run_folder
-from instobj.store.readers import FRAMES, METRICS, PRETRAINED, SCORES
+from instobj.store.readers import FRAMES, METRICS, SCORES
 from instobj.store.shared import URL
 from instobj.sweep.study import Study, Variant
 
@@ -61,9 +61,7 @@ def _numbers(spec: ObjectSpec, result: StoredResult) -> dict[str, Any]:
         return comparison_row(spec, SCORES.read(result.folder))
     if result.stage == METRICS.stage:
         return _estimators(METRICS.read(result.folder))
-    if result.stage == FRAMES.stage:
-        return {"frames": len(FRAMES.read(result.folder))}
-    return {"estimators": len(PRETRAINED.read(result.folder))}
+    return {"frames": len(FRAMES.read(result.folder))}
 
 
 def _estimators(metrics: dict[str, Any]) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
 MOST_VARIANTS = 10_000
-SweptStage = Literal["scores", "metrics", "frames", "pretraining"]
+SweptStage = Literal["scores", "metrics", "frames"]
 End = Annotated[float, Field(ge=-1e8, le=1e8)]
 """End of a range of any key."""
 Value = int | float | str | bool | list[Any]
@@ -50,8 +50,7 @@ class StudySpec(SpecPart):
 
     Either one `specification` with a `grid` (every combination) or a `latin_hypercube`, or `files`.
     `set` changes keys of every specification, `stages` are what each is taken to: bounds, trained
-    estimators on held-out presses, simulated presses, estimators of virtual objects. Paths are
-    relative to the study's file.
+    estimators on held-out presses, simulated presses. Paths are relative to the study's file.
     """
 
     name: Annotated[str, Field(pattern=_NAME, max_length=80)]

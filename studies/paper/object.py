@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.spec.object import LARGEST_SEED, ObjectSpec
-from estimator.frames.press_protocol import PLACE_ID_STRIDE
 from instobj.store.content import store_root, stored
 from instobj.store.keys import content_key
 from instobj.store.readers import CORRECTION, EXPERIMENT_MODEL, PRESSES, RESPONSE
@@ -117,14 +116,13 @@ def fitted(
     parts: tuple[FrameSet, FrameSet],
     face: int,
     label: dict[str, Any],
-    start: FaceModel | None = None,
     continuous: bool = False,
     axes: int = 1,
     model: str = "compact",
 ) -> FaceModel:
     """A face's estimator, from the store or fitted to training and validation frames.
 
-    `label` says, in JSON, which frames these are and what it starts from; `continuous` and `axes` are
+    `label` says, in JSON, which frames these are; `continuous` and `axes` are
     those of `FitSettings`.
     """
     from estimator.networks.face_model import save_model
@@ -139,7 +137,7 @@ def fitted(
         fit = FitSettings(
             face, settings, recorded.spec.seed, little, continuous=continuous, axes=axes
         )
-        save_model(fit_estimator(*parts, fit, start), EXPERIMENT_MODEL.path(folder))
+        save_model(fit_estimator(*parts, fit), EXPERIMENT_MODEL.path(folder))
 
     inputs = {
         "object": recorded.key,
@@ -153,18 +151,6 @@ def fitted(
     return EXPERIMENT_MODEL.read(stored(store_root(), EXPERIMENT_MODEL.stage, inputs, make).folder)
 
 
-def pretrained(recorded: SimulatedObject, face: int, twins: int, continuous: bool) -> FaceModel:
-    """An estimator that has seen presses of `twins` objects of the design, none of this one."""
-    from estimator.calibration.twin.pretraining import split_twins, twin_frames
-
-    frames = twin_frames(recorded.design, *recorded.design_presses, twins)
-    on_face = np.unique(frames.press_id[frames.place_id // PLACE_ID_STRIDE == face])
-    frames = frames.select(np.isin(frames.press_id, on_face))
-    split = split_twins(frames)
-    parts = (frames.select(split.train), frames.select(split.validation))
-    return fitted(recorded, parts, face, {"twins": twins}, continuous=continuous)
-
-
 def calibrated_parts(
     recorded: SimulatedObject, parts: tuple[FrameSet, FrameSet], face: int, draws: int
 ) -> tuple[FrameSet, FrameSet]:
@@ -172,9 +158,9 @@ def calibrated_parts(
 
     The twin is calibrated on the training frames alone.
     """
+    from estimator.calibration.twin.added_presses import calibrated_frames, with_presses_of_twin
     from estimator.calibration.twin.digital_twin import calibrate
     from estimator.calibration.twin.pressed_places import invalidate_hard_presses, pressed_places
-    from estimator.calibration.twin.pretraining import calibrated_frames, with_presses_of_twin
 
     reached = invalidate_hard_presses(parts[0], recorded.design_presses[0], face)
     seen = pressed_places(recorded.design, reached, face)

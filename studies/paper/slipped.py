@@ -1,4 +1,4 @@
-"""A core slip after calibration: old baseline, new baseline, slips in the training data."""
+"""A core slip after calibration: old baseline, new baseline, the calibration carried over."""
 
 from __future__ import annotations
 
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 SLIP_MM = (0.7, -0.5, 0.5)
 """1 mm, along no axis."""
 SHOWN = ("A_sim", "E_loc px", "E_f %", "total force %", "A_non")
-_TRAINED_SLIP_MM = 0.6
-"""Standard deviation of the core's shift, each direction, among the twins of pre-training."""
 NEW_ZERO = "slipped, new zero"
 CARRIED = "calibration carried over to the slip"
 _UNIT_MM = 0.5
@@ -40,7 +38,7 @@ _AIM_PERCENT = 15.0
 
 
 def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
-    """Estimators calibrated before the slip, with and without slip in pre-training, judged after."""
+    """Estimators calibrated before the slip, judged before and after."""
     recorded = simulated_object(spec, quick)
     presses = design_presses_of(recorded)
     face = recorded.spec.collection.faces[0]
@@ -55,9 +53,9 @@ def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         NEW_ZERO: zeroed,
     }
     rows = []
-    for name, model, reference in _models(recorded, frames, face):
-        for when, test in tests.items():
-            rows.append({"estimator": name, "object": when} | _judged(model, test, reference))
+    model, reference = _calibrated(recorded.spec, frames, face)
+    for when, test in tests.items():
+        rows.append({"estimator": "calibrated", "object": when} | _judged(model, test, reference))
     found, moved = _carried(recorded, frames, change)
     model, reference = _calibrated(recorded.spec, moved, face)
     rows.append({"estimator": CARRIED, "object": NEW_ZERO} | _judged(model, zeroed, reference))
@@ -131,9 +129,7 @@ def _carried(
     return found, carried_over(frames, before, after)
 
 
-def _calibrated(
-    spec: ObjectSpec, frames: FrameSet, face: int, start: FaceModel | None = None
-) -> tuple[FaceModel, ForceReference]:
+def _calibrated(spec: ObjectSpec, frames: FrameSet, face: int) -> tuple[FaceModel, ForceReference]:
     """Fitted to the training presses of one object, and the span of its forces."""
     from estimator.frames.face_data import face_data
     from estimator.frames.splits import split_presses
@@ -142,30 +138,8 @@ def _calibrated(
 
     split = split_presses(frames, spec.seed)
     parts = frames.select(split.train), frames.select(split.validation)
-    model = fit_estimator(*parts, FitSettings(face, spec.training, spec.seed), start)
+    model = fit_estimator(*parts, FitSettings(face, spec.training, spec.seed))
     return model, force_reference(face_data(frames, face).heatmap_n)
-
-
-def _models(
-    recorded: SimulatedObject, frames: FrameSet, face: int
-) -> list[tuple[str, FaceModel, ForceReference]]:
-    """Fitted to the object's calibration alone, and after pre-training on slipping twins."""
-    from estimator.calibration.twin.pretraining import split_twins, twin_frames
-    from estimator.networks.training.face import FitSettings, fit_estimator
-
-    spec = recorded.spec
-    slipping = changed(recorded.design, {"tolerances.core_shift_mm": _TRAINED_SLIP_MM})
-    twins = twin_frames(slipping, *recorded.design_presses, spec.training.twins)
-    chosen = split_twins(twins)
-    settings = FitSettings(face, spec.training, spec.seed)
-    known = fit_estimator(twins.select(chosen.train), twins.select(chosen.validation), settings)
-    calibrated, reference = _calibrated(spec, frames, face)
-    tuned, _ = _calibrated(spec, frames, face, known)
-    return [
-        ("calibrated", calibrated, reference),
-        ("slipping twins alone", known, reference),
-        ("slipping twins, then calibrated", tuned, reference),
-    ]
 
 
 def _judged(

@@ -16,7 +16,6 @@ from studies.paper.object import (
     fitted,
     metric_row,
     predict_face,
-    pretrained,
     simulated_object,
 )
 from studies.paper.published import TABLE_II, beside
@@ -84,8 +83,7 @@ def run_seen_unseen(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         "E_f is read at the true pixel alone: a force shared with the next pixel counts as lost. The "
         "total force and the localisation error do not depend on pixels.",
         "heatmap, position: outputs of the compact network, trained on the labelled locations alone; "
-        "pre-trained: position, after presses of other virtual objects at all locations; calibrated "
-        "twin: heatmap, trained on the labelled locations and on presses that the design's twin, "
+        "calibrated twin: heatmap, trained on the labelled locations and on presses that the design's twin, "
         "calibrated on them, simulates at all. The hidden twin's large deformation has the form that "
         "is calibrated; that of silicone follows it to about 10 %.",
         "The bound knows the object's signals at every location and judges each frame for itself.",
@@ -102,9 +100,6 @@ def _models(
         output: fitted(recorded, parts, face, label, continuous=output == "position")
         for output in ("heatmap", "position")
     }
-    start = pretrained(recorded, face, twins, continuous=True)
-    tuned = label | {"twins": twins}
-    models["pre-trained"] = fitted(recorded, parts, face, tuned, start, continuous=True)
     wider = calibrated_parts(recorded, parts, face, twins)
     models["calibrated twin"] = fitted(recorded, wider, face, label | {"calibrated": twins})
     return models

@@ -71,8 +71,6 @@ ON_REQUEST = {
     "identify",
     "collection",
     "pulled_collection",
-    "twin_frames",
-    "pretraining",
     "fabrication",
     "sheet",
     "networks",

@@ -4,6 +4,7 @@ Moves have a constant speed; a feed hold stops after 20 ms. `take` gets bytes, `
 the machine sends; `advance` lets time pass. Faults are planted by attributes.
 """
 
+import math
 import re
 from collections import deque
 
@@ -225,7 +226,7 @@ class GrblSimulator:
             return
         while seconds > 0 and self.plan:
             target, speed = self.plan[0]
-            away = np.linalg.norm(target - self.position)
+            away = math.dist(target, self.position)
             if away > speed * seconds:
                 self.position += (target - self.position) * speed * seconds / away
                 seconds = 0.0

@@ -42,7 +42,7 @@ class Silicone:
 
     def force_n(self, depth_mm, xy_mm):
         depth = max(depth_mm, 0.0)
-        aside = 1 - 0.0008 * float(np.sum(np.square(xy_mm)))
+        aside = 1 - 0.0008 * float(xy_mm[0] ** 2 + xy_mm[1] ** 2)
         return self.stiffer * aside * 1.7 * depth**1.5 * (1 + 0.6 * depth / 8) ** 2
 
     def field_mt(self, depth_mm, xy_mm):

@@ -8,12 +8,10 @@ calibrated there, and the estimator is their mean.
 
 from __future__ import annotations
 
-import copy
 import hashlib
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import cast
 
 import numpy as np
 import torch
@@ -36,8 +34,6 @@ from estimator.networks.defaults import (
     INTERVAL_COVER,
     LEARNING_RATE,
     PATIENCE_EPOCHS,
-    PLAIN,
-    filled,
     filled_for,
 )
 from estimator.networks.ensemble import new_member, sigma_counts
@@ -61,8 +57,6 @@ from estimator.networks.training.data import (
 )
 from estimator.networks.training.fitting import Progress, Schedule, fit
 
-FINE_TUNING_RATE = 0.3
-"""Learning rate of a network that goes on from `start`, over that of one that starts from nothing."""
 _WEIGHT_DECAY = 1e-3
 """Weight decay of AdamW (Loshchilov and Hutter, 2019)."""
 _OTHER_FACES = 0.5
@@ -116,7 +110,6 @@ def fit_estimator(
     train_frames: FrameSet,
     validation_frames: FrameSet,
     settings: FitSettings,
-    start: FaceModel | None = None,
     progress: Progress | None = None,
 ) -> FaceModel:
     """Train one face's estimator.
@@ -124,41 +117,28 @@ def fit_estimator(
     Parameters
     ----------
     train_frames, validation_frames : whole presses, with ids unique over both
-    start : a model to go on from, for instance one trained on simulated twins; its channels and
-        architecture are kept
     progress : called after each epoch; those of an ensemble's members count on
 
     Raises
     ------
     InputError
-        No contact on the face in either part, no live channel, a start of another face or model.
+        No contact on the face in either part, or no live channel.
     """
-    if start is None:
-        shown = train_frames, validation_frames
-        settings = replace(settings, training=filled_for(settings.training, shown, settings.face))
-    else:
-        settings = replace(settings, training=_started_settings(settings.training, start))
+    shown = train_frames, validation_frames
+    settings = replace(settings, training=filled_for(settings.training, shown, settings.face))
     training, seed = settings.training, settings.seed
     parts = [
         prepared(frames, name, settings)
         for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
     ]
-    if start is not None:
-        require_same_kind(start, settings, train_frames)
-    channels = start.channels if start else common_channels(parts, training)
+    channels = common_channels(parts, training)
     folds, all_folds = [], folds_of(parts, settings)
     for number, (fitted, held_out) in enumerate(all_folds):
         if settings.nuisances is not None:
             held_out = with_nuisances(held_out, settings.nuisances, seed)
         counted = None if progress is None else partial(_counted, progress, number, len(all_folds))
-        if start is None:
-            member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
-        else:
-            start_member = start.network.members[number % len(start.network.members)]
-            member = cast(HeadsNetwork, copy.deepcopy(start_member))
-        _fit_member(
-            member, number, fitted, held_out, channels, settings, start is not None, counted
-        )
+        member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
+        _fit_member(member, number, fitted, held_out, channels, settings, counted)
         trees = training.trees or 0
         forest = fit_forest(fitted, channels, trees, seed + number) if trees else None
         process = fit_process(fitted, channels, seed) if training.process else None
@@ -211,17 +191,6 @@ def _described(
     )
 
 
-def _started_settings(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
-    """Networks that go on from others stand alone: trees and processes cannot go on."""
-    for name in ("trees", "process"):
-        if value := getattr(training, name):
-            raise InputError(
-                f"training.{name} = {value} does not go with a start: only networks go on from one. "
-                f"Set training.{name} = {str(type(value)(0)).lower()}, or train without --start"
-            )
-    return filled(training, PLAIN._replace(history_frames=start.history_frames))
-
-
 def prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
     """Frames of one part that can be learned from, with changes over time where those are asked for."""
     whole = with_history(frames, settings.training.history_frames or 0)
@@ -236,34 +205,6 @@ def folds_of(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceDat
     pooled = joined(*parts)
     fold = press_folds(pooled, members, settings.seed)
     return [(pooled.select(fold != k), pooled.select(fold == k)) for k in range(members)]
-
-
-def require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
-    wanted = replace(
-        settings.architecture,
-        members=start.architecture.members,
-        forest=start.architecture.forest,
-        process=start.architecture.process,
-        references=start.architecture.references,
-    )
-    same_grid = all(
-        mine.shape == theirs.shape and np.allclose(mine, theirs, rtol=0, atol=1e-6)
-        for mine, theirs in (
-            (start.grid_x_mm, frames.grid_x_mm),
-            (start.grid_y_mm, frames.grid_y_mm),
-        )
-    )
-    if start.face != settings.face or start.architecture != wanted or not same_grid:
-        mine, theirs = vars(start.architecture), vars(wanted)
-        differences = [f"{name} {mine[name]} (wanted {theirs[name]})" for name in mine
-                 if mine[name] != theirs[name]]  # fmt: skip
-        raise InputError(
-            f"the model to start from reads face {start.face} on {len(start.grid_x_mm)} × "
-            f"{len(start.grid_y_mm)} "
-            f"pixels{''.join(f', {difference}' for difference in differences)}; wanted are face "
-            f"{settings.face} and the data's {len(frames.grid_x_mm)} × {len(frames.grid_y_mm)} pixels. "
-            "Start from a model trained with the same training.* settings"
-        )
 
 
 def common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
@@ -286,7 +227,6 @@ def _fit_member(
     held_out: FaceData,
     channels: tuple[Channel, ...],
     settings: FitSettings,
-    fine_tuned: bool,
     progress: Progress | None,
 ) -> None:
     device = settings.device
@@ -295,7 +235,7 @@ def _fit_member(
     train, validation = (
         batch_of(part, channels, scale, settings.axes, device) for part in (data, held_out)
     )
-    schedule = schedule_of(settings, number, data.frames.source, fine_tuned)
+    schedule = schedule_of(settings, number, data.frames.source)
     sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
     elsewhere = elsewhere_counts(data, channels).to(device)
     zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
@@ -308,17 +248,16 @@ def _fit_member(
     fit(member, train, validation, disturbances, schedule, progress, path, mark)
 
 
-def schedule_of(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
+def schedule_of(settings: FitSettings, number: int, source: str) -> Schedule:
     training, seed = settings.training, settings.seed + _NEXT_SEED * number
     budget = None if settings.budget_s is None else settings.budget_s / (training.ensemble or 1)
     augmentation = settings.augmentation or AUGMENTATION[source]
     if settings.augmentation is None and training.model == "whole-object":
         augmentation = replace(augmentation, other_faces=_OTHER_FACES)
-    rate = LEARNING_RATE * (FINE_TUNING_RATE if fine_tuned else 1.0)
     return Schedule(
         epochs=training.epochs,
         batch_frames=BATCH_FRAMES,
-        learning_rate=rate,
+        learning_rate=LEARNING_RATE,
         weight_decay=_WEIGHT_DECAY,
         patience_epochs=settings.patience_epochs,
         augmentation=augmentation,

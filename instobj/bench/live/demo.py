@@ -106,28 +106,26 @@ def _taps(s: np.ndarray, begins: float, ends: float) -> np.ndarray:
     return np.where(inside, np.maximum(0.0, np.sin(10 * np.pi * (s - begins) / (ends - begins))), 0)
 
 
-def hand_chunks(
-    hand: SimulatedHand, names: list[str], seed: int, rate_hz: float = RATE_HZ
-) -> Generator[bytes]:
+def hand_chunks(hand: SimulatedHand, names: list[str], seed: int) -> Generator[bytes]:
     """Lines of the simulated board, without end, in real time."""
     rng, started, k = np.random.default_rng(seed), time.monotonic(), 0
     yield encode_header(names)
     while True:
-        due = int((time.monotonic() - started) * rate_hz)
-        k = max(k, due - int(_BEHIND_S * rate_hz))
-        yield b"".join(hand_lines(hand, number, rate_hz, rng) for number in range(k, due + 1))
+        due = int((time.monotonic() - started) * RATE_HZ)
+        k = max(k, due - int(_BEHIND_S * RATE_HZ))
+        yield b"".join(hand_lines(hand, number, rng) for number in range(k, due + 1))
         k = due + 1
         time.sleep(_SLICE_S)
 
 
-def hand_lines(hand: SimulatedHand, number: int, rate_hz: float, rng: np.random.Generator) -> bytes:
+def hand_lines(hand: SimulatedHand, number: int, rng: np.random.Generator) -> bytes:
     """A frame between two knots, with noise; every fifth is preceded by the true contacts."""
-    position = number / rate_hz * _KNOTS_HZ % len(hand.counts)
+    position = number / RATE_HZ * _KNOTS_HZ % len(hand.counts)
     knot, share = int(position), position % 1
     after = (knot + 1) % len(hand.counts)
     expected = (1 - share) * hand.counts[knot] + share * hand.counts[after]
     counts = np.round(expected + hand.noise_counts * rng.standard_normal(len(expected)))
-    ms = round(1000 * number / rate_hz)
+    ms = round(1000 * number / RATE_HZ)
     loads = b"" if number % _LOADS_EVERY else b"".join(_loads(hand, knot, ms))
     return loads + encode_frame(number, ms, counts.tolist())
 

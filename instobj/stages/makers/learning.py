@@ -28,7 +28,6 @@ class Fitting:
     ----------
     seed : of the split, the first weights and the batches
     unfinished : folder that keeps what an interrupted training has reached, and is gone on from
-    start : folder of estimators to begin with
     twin : adds presses of the object's calibrated twin
     spec : of the object, where it is known: its use says what changes after the zero
     """
@@ -37,7 +36,6 @@ class Fitting:
     seed: int
     step: Step
     unfinished: Path | None = None
-    start: Path | None = None
     twin: TwinOfData | None = None
     spec: ObjectSpec | None = None
 
@@ -66,9 +64,7 @@ def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -
 
 
 def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceModel:
-    from estimator.frames.same_object import require_same_object
     from estimator.networks.defaults import filled
-    from estimator.networks.face_model import load_model
     from estimator.networks.training.face import FitSettings, fit_estimator
     from estimator.signals.nuisances import nuisance_columns
 
@@ -83,14 +79,8 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
         shape = (*parts[0].signal_counts.shape[1:], columns.shape[1])
         nuisances = columns.reshape(shape)
     settings = FitSettings(face, training, how.seed, checkpoint=checkpoint, nuisances=nuisances)
-    start = None
-    if how.start is not None:
-        path = face_model_path(how.start, face)
-        start = load_model(path)
-        grid_mm = start.grid_x_mm, start.grid_y_mm
-        require_same_object(start.channels, grid_mm, parts[0], "the data set")
     shown = parts if how.twin is None else how.twin.extended(parts, face, how.step)
-    return fit_estimator(*shown, settings, start, progress)
+    return fit_estimator(*shown, settings, progress)
 
 
 def unfinished_folder(key: str) -> Path:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import asdict
 from pathlib import Path
 
-from design.spec.object import ObjectSpec
 from instobj.store.readers import (
     BLINDEST_PICTURE,
     CROSS_FACE,
@@ -16,7 +15,6 @@ from instobj.store.readers import (
     MODELS,
     NUISANCE_COSTS,
     PRESSES,
-    PRETRAINED,
     PROTOCOL,
     ROBUSTNESS,
     ROBUSTNESS_PICTURE,
@@ -24,7 +22,6 @@ from instobj.store.readers import (
     SHEAR,
     SHEAR_SCORES,
     SIGNALS,
-    TWIN_FRAMES,
     WEAK_AREAS,
     WEAK_AREAS_PICTURE,
     WEAK_PLACES,
@@ -146,36 +143,6 @@ def make_frames(context: StageContext, folder: Path) -> None:
         PROTOCOL.path(folder),
     )
     save_frames(frames, FRAMES.path(folder))
-
-
-def make_twin_frames(context: StageContext, folder: Path) -> None:
-    """Presses of the object within tolerance that the seed draws."""
-    from estimator.calibration.twin.pretraining import frames_of_twin
-    from estimator.frames.dataset import save_frames
-
-    frames = frames_of_twin(context.spec, *context.read(PRESSES), context.step)
-    save_frames(frames, TWIN_FRAMES.path(folder))
-
-
-def pretraining_twins(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
-    """The presses of every twin that pre-training takes, each a result of its own."""
-    from estimator.calibration.twin.pretraining import drawn_twins
-
-    twins = enumerate(drawn_twins(spec, spec.training.twins))
-    return {f"twin {number}": ("twin_frames", drawn) for number, drawn in twins}
-
-
-def make_pretraining(context: StageContext, folder: Path) -> None:
-    """A network per face, trained on presses of twins."""
-    from estimator.calibration.twin.pretraining import split_twins
-    from estimator.frames.collection import joined
-    from instobj.stages.makers.learning import Fitting, train_networks
-
-    spec = context.spec
-    twins = pretraining_twins(spec)
-    frames = joined([TWIN_FRAMES.read(context.inputs[name]) for name in twins])
-    how = Fitting(spec.training, spec.seed, context.step, spec=spec)
-    train_networks(frames, split_twins(frames), how, PRETRAINED.path(folder).parent)
 
 
 def make_networks(context: StageContext, folder: Path) -> None:

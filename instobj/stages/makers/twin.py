@@ -61,7 +61,7 @@ class TwinOfData:
         The twin sees training frames alone; how well it predicts is judged on training places left
         out in turn. A face with too few places stays as it is, and its row says so.
         """
-        from estimator.calibration.twin.pretraining import calibrated_frames, with_presses_of_twin
+        from estimator.calibration.twin.added_presses import calibrated_frames, with_presses_of_twin
 
         calibrated = self.calibrated(parts[0], face, step)
         if calibrated is None:

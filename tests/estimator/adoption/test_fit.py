@@ -84,7 +84,9 @@ def test_a_planted_order_and_turn_of_chips_are_found():
     np.testing.assert_allclose(found.designed(recorded_), predicted, atol=1e-12)
 
 
-@pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])
+@pytest.mark.parametrize(
+    "arrangement", ["sensors-in-core", pytest.param("sensors-in-shell", marks=pytest.mark.slow)]
+)
 def test_who_moves_is_told_from_presses_of_an_independent_model(arrangement):
     """The field is magpylib's, the motion the log's own: tests/support/recordings/foreign_logs.py."""
     spec = spec_of(arrangement)

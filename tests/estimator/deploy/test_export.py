@@ -63,15 +63,6 @@ def path(model, tmp_path_factory):
     return target
 
 
-def test_parity_with_the_trained_model(model, frames, path):
-    trained, deployed = predict(model, frames), predict_frames(load_deployed(path), frames)
-    for name in UNITS:
-        expected = getattr(trained, name)
-        size = np.abs(expected).max()
-        assert size > 0
-        assert_allclose(getattr(deployed, name), expected, rtol=0, atol=1e-5 * size)
-
-
 @pytest.fixture(scope="module")
 def certain(model):
     """A model as sure of its pixels as long training makes it: most weights underflow to zero.
@@ -154,6 +145,7 @@ def test_trees_process_and_novelty_are_in_the_file(model, frames, path):
     trained, found = predict(model, louder), predict_frames(deployed, louder)
     for name in UNITS:
         expected = getattr(trained, name)
+        assert np.abs(expected).max() > 0
         assert_allclose(getattr(found, name), expected, rtol=0, atol=1e-5 * np.abs(expected).max())
     assert np.array_equal(found.novel, found.novelty > 1)
     assert found.novel.mean() > 0.3 > predict(model, frames).novel.mean()
@@ -200,23 +192,6 @@ def test_changes_keep_their_span_over_a_missed_frame(frames, path):
     assert stuttering.feed(raw[7]).force_n[0] == expected[7]
 
 
-def test_slip_of_the_core_is_undone_by_a_new_zero(path):
-    reader = LiveReader(load_deployed(path), "first", zero_frames=2)
-    rest = np.full((5, 3, 3), 500.0)
-    for _ in range(2):
-        reader.feed(rest)
-    slipped = rest + 900.0 * np.linspace(-1, 1, rest.size).reshape(rest.shape)
-    shifted = reader.feed(slipped)
-    reader.rezero()
-    for _ in range(2):
-        reader.feed(slipped)
-    again = reader.feed(slipped)
-    still = LiveReader(load_deployed(path), "first", zero_frames=1)
-    still.feed(rest)
-    assert_allclose(again.force_n, still.feed(rest).force_n, rtol=1e-6)
-    assert abs(shifted.force_n[0] - again.force_n[0]) > 1e-3
-
-
 def test_a_channel_without_a_reading_is_named(frames, path):
     reader = LiveReader(load_deployed(path), "first", zero_frames=1)
     raw = np.zeros((5, 3, 3))
@@ -254,9 +229,12 @@ def test_tensors_in_other_files_are_refused(path, tmp_path, monkeypatch):
         load_deployed("face.onnx")
 
 
-def test_a_second_export_is_the_same_byte_by_byte(certain, certain_path, tmp_path):
-    export_onnx(certain, tmp_path / "again.onnx")
-    assert (tmp_path / "again.onnx").read_bytes() == certain_path.read_bytes()
+@pytest.mark.slow
+def test_a_second_export_is_the_same_byte_by_byte(certain, tmp_path):
+    paths = [tmp_path / name for name in ("first.onnx", "again.onnx")]
+    for target in paths:
+        export_onnx(certain, target)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
 
 
 def test_a_changed_byte_anywhere_in_an_exported_file_is_one_error(certain_path, tmp_path):

@@ -24,8 +24,7 @@ def modelled(model, turn, centre, point):
     return np.array(model(tuple(offset), tuple(axis))).T
 
 
-@pytest.mark.parametrize("disk", DISKS)
-@pytest.mark.parametrize("reach", [1.6, 2.6])
+@pytest.mark.parametrize(("disk", "reach"), [*zip(DISKS, (1.6, 2.6, 1.6), strict=True)])
 def test_models_match_magpylib_within_their_stated_error(disk, reach):
     nearest = reach * disk.circumscribed_radius_mm
     poses = random_poses(disk, nearest, np.random.default_rng(1))

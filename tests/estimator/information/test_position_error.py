@@ -188,7 +188,7 @@ def signals(spec):
     return press_signals(spec, *synthetic_presses(spec))
 
 
-@pytest.mark.parametrize("force_n", [3.0, 5.0])
+@pytest.mark.parametrize("force_n", [3.0, pytest.param(5.0, marks=pytest.mark.slow)])
 def test_errors_of_an_object_are_those_of_a_simulated_reader_and_bounds_are_not(
     spec, signals, force_n
 ):

@@ -29,7 +29,7 @@ REACH_MM = 12.0
 BOUND_TOLERANCE = 0.008
 """Of a place's bound and of counts at rest; measured 0.004."""
 GRID = {"contact_grid": {"count": [6, 5], "pitch_mm": 2.5}}
-BODIES = {"cylinder": 2, "capsule": 3, "ellipsoid": 3}
+BODIES = {"cylinder": 2, "ellipsoid": 3}
 """Pressed face: of the cylinder one whose neighbours are curved and flat."""
 
 

@@ -173,12 +173,6 @@ def test_polish_improves_every_layout_and_fixes_what_is_broken(lowest, units):
     assert int((after.broken_mm == 0).sum()) > int((before.broken_mm == 0).sum())
 
 
-def test_layouts_evolve_each_by_itself_and_repeatably(lowest, units):
-    ends = polished(lowest, units[:2], 4)
-    assert_allclose(polished(lowest, units[1:2], 4)[0], ends[1])
-    assert (ends != units[:2]).any(dim=1).all()
-
-
 def test_generations_are_drawn_as_the_package_draws_them():
     """Means, spreads and the share moved to the bounds, of points far out and oblique."""
     search = polishing.Generations(

@@ -110,22 +110,20 @@ def faces_of_their_own(layouts):
                             for face in range(1, 6)}, FACE)  # fmt: skip
 
 
-@pytest.mark.parametrize("own", [False, True], ids=["one layout", "face by face"])
-def test_scores_of_sizes_that_are_nearly_one_are_those_of_one(layouts, own):
+def test_scores_of_sizes_that_are_nearly_one_are_those_of_one(layouts):
     """All scores, on two faces and at two forces: however magnets are sorted by size."""
     alike, nearly = cube(), cube(diameter_mm=(6.0, 6.000001, 6.0, 6.000001, 6.000001))
-    if own:
-        alike, nearly = (
-            one.changed(magnets=one.magnets.changed(positions_mm=(one.magnets.lists[0],) * 5))
-            for one in (alike, nearly)
-        )
-        layouts = faces_of_their_own(layouts)
+    alike, nearly = (
+        one.changed(magnets=one.magnets.changed(positions_mm=(one.magnets.lists[0],) * 5))
+        for one in (alike, nearly)
+    )
+    layouts = faces_of_their_own(layouts)
     made = motions_of_one_size()
     presses = [(face, force) for face in (1, FACE) for force in (4.0, 5.0)]
     found = []
     for one, motions in ((alike, [made]), (nearly, [made, made])):
         scorers = [scorer_of(one, motions, face, force) for face, force in presses]
-        laid = [replace(layouts, face=face if own else None) for face, _ in presses]
+        laid = [replace(layouts, face=face) for face, _ in presses]
         found.append(batch_scores(scorers, laid, DEARER))
     assert len(found[0]) >= 8
     for name, wanted in found[0].items():

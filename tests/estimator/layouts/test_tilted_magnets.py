@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.layout.body import face_frames
+from design.spec.object import ContactGridSpec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
@@ -30,7 +31,8 @@ def turned(slopes, turn_rad, share):
 
 @pytest.fixture(scope="module")
 def spec():
-    return made_up_spec()
+    """A cube with few places: compressing the table of a hundred takes most of the time."""
+    return made_up_spec().changed(contact_grid=ContactGridSpec(count=(4, 3), pitch_mm=6.0))
 
 
 def motions_in_even_strain(spec, share):
@@ -57,7 +59,7 @@ def motions_in_even_strain(spec, share):
     return strained, at_contacts(spec, size)
 
 
-@pytest.mark.parametrize("share", [0.0, 0.64, 1.0])
+@pytest.mark.parametrize("share", [0.0, 0.64])
 def test_in_even_strain_a_tilted_magnet_turns_by_jefferys_law(spec, share):
     motions, size = motions_in_even_strain(spec, share)
     presses = press_basis(spec, motions, FACE, dtype=torch.float64)

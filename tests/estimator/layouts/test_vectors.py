@@ -78,13 +78,13 @@ WORDS = {
 
 def verdicts(seed):
     """For near misses and near hits: the rules broken, and what the specification's check says."""
-    spec, space, params, poles, units = batch(seed, 16)
+    spec, space, params, poles, units = batch(seed, 12)
     variables = search_space(spec).continuous
 
     def broken(point):
         return constraint_violations_mm(space, layouts_at(space, point, poles, 1), 1)
 
-    for steps in (8, 120):
+    for steps in (8, 60):
         point = descend(lambda u: broken(u).sum(dim=1), units, steps)
         for row, rules in enumerate(broken(point)):
             values = zip(variables, point[row].tolist(), strict=True)

@@ -1,10 +1,7 @@
 """Novelty and the widths of intervals at places that training never saw."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-import torch
 
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_intervals
@@ -12,7 +9,6 @@ from estimator.frames.face_data import face_data
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import predict
 from estimator.networks.intervals.conformal import student_bound
-from estimator.networks.intervals.coverage import growth
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -61,19 +57,6 @@ def test_intervals_hold_at_new_places_because_they_are_wider(model, frames, else
     without = evaluate_intervals(model, elsewhere)
     network.place_slope_mm.copy_(kept)
     assert without.position_cover < 0.6, "planted fault: radii that do not grow"
-
-
-def test_widths_grow_with_distance(model, frames):
-    found = []
-    for factor in (1.0, 2.0, 4.0, 8.0):
-        louder = replace(frames, signal_counts=factor * frames.signal_counts)
-        pressed = face_data(louder, FACE).heatmap_n.sum(axis=(1, 2)) > 5
-        said = predict(model, face_data(louder, FACE).frames)
-        found.append((np.median(said.novelty[pressed]), np.median(said.force_halfwidth_n[pressed])))
-    novelty, halfwidth = np.array(found).T
-    assert (np.diff(novelty) > 0).all()
-    assert (np.diff(halfwidth) > 0).all()
-    assert growth(torch.tensor([0.2, 1.0, 2.0, 5.0])).tolist() == [0.0, 0.0, 1.0, 2.0]
 
 
 def test_bounds_of_few_groups_hold_the_errors_of_one_more():

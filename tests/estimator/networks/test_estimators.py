@@ -11,7 +11,7 @@ from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, evaluate_intervals
 from estimator.frames.face_data import face_data, with_history
 from estimator.frames.splits import split_places, split_presses
-from estimator.networks.face_model import load_model, predict, save_model
+from estimator.networks.face_model import predict
 from estimator.networks.intervals.conformal import conformal_quantile
 from estimator.networks.training.data import press_folds
 from estimator.networks.training.face import FitSettings, fit_estimator
@@ -26,11 +26,11 @@ def frames():
     return synthetic_frames(presses=6)
 
 
-def fitted(frames, training, seed=3, split=None, start=None, progress=None, **more):
+def fitted(frames, training, seed=3, split=None, progress=None, **more):
     split = split or split_presses(frames, seed)
     settings = FitSettings(FACE, training, seed, **more)
     parts = frames.select(split.train), frames.select(split.validation)
-    model = fit_estimator(*parts, settings, start, progress)
+    model = fit_estimator(*parts, settings, progress)
     return model, frames.select(split.test)
 
 
@@ -148,18 +148,6 @@ def test_history_takes_off_hysteresis(frames):
     assert errors[0] < 0.8 * errors[1]
 
 
-def test_start_is_gone_on_from(frames, compact):
-    model, test = compact
-    few = synthetic_frames(presses=3, seed=9)
-    short = QUICK.model_copy(update={"epochs": 3})
-    anew, _ = fitted(few, short)
-    tuned, _ = fitted(few, short, start=model)
-    errors = [evaluate_face(one, test, frames).force_error_percent for one in (tuned, anew)]
-    assert errors[0] < 0.7 * errors[1]
-    with pytest.raises(InputError, match="to start from reads"):
-        fitted(few, short.model_copy(update={"hidden_units": (8,)}), start=model)
-
-
 class _Interruption(Exception):
     pass
 
@@ -191,23 +179,6 @@ def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, mo
         fitted(frames, training, checkpoint=tmp_path)
 
 
-def test_a_budget_ends_training(frames):
-    epochs = []
-    training = QUICK.model_copy(update={"epochs": 10_000})
-    told = lambda *call: epochs.append(call[0])  # noqa: E731
-    fitted(frames, training, progress=told, budget_s=0.5, patience_epochs=10_000)
-    assert 1 <= len(epochs) < 500
-
-
-def test_members_survive_the_file(frames, tmp_path):
-    training = QUICK.model_copy(update={"ensemble": 2, "epochs": 2, "history_frames": 2})
-    model, test = fitted(frames, training)
-    save_model(model, tmp_path / "face.safetensors")
-    loaded = load_model(tmp_path / "face.safetensors")
-    assert_array_equal(predict(loaded, test).heatmap_n, predict(model, test).heatmap_n)
-    assert loaded.history_frames == 2
-
-
 def test_folds_never_divide_a_press(frames):
     data = face_data(frames, FACE)
     fold = press_folds(data, 4, 0)
@@ -219,17 +190,6 @@ def test_folds_never_divide_a_press(frames):
         press_folds(
             data.select(data.frames.press_id == data.frames.press_id[data.contact][0]), 2, 0
         )
-
-
-def test_conformal_quantile_by_hand():
-    """Two presses of different length weigh the same."""
-    score = np.array([1.0, 2.0, 3.0, 4.0, 10.0, 20.0])
-    press = np.array([7, 7, 7, 7, 9, 9])
-    assert conformal_quantile(score, press, 0.5, pooled_folds=True) == 4.0
-    assert conformal_quantile(score, press, 0.5) == 10.0
-    assert conformal_quantile(score, press, 0.9) == 20.0
-    with pytest.raises(InputError, match="calibrate"):
-        conformal_quantile(np.array([]), np.array([], dtype=int), 0.9)
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.6])

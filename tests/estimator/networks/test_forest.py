@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 import torch
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_allclose
 
-from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import channel_counts, face_data, live_channels
 from estimator.frames.splits import split_presses
-from estimator.networks.face_model import load_model, predict, save_model
+from estimator.networks.face_model import predict
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF, MOST_LEVELS, fit_forest
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -24,10 +23,10 @@ def frames():
     return synthetic_frames(faces=(FACE,), presses=4, loaded=12, places=range(0, 20, 4))
 
 
-def fitted(frames, training, start=None):
+def fitted(frames, training):
     split = split_presses(frames, 1)
     parts = frames.select(split.train), frames.select(split.validation)
-    return fit_estimator(*parts, FitSettings(FACE, training, 1), start), frames.select(split.test)
+    return fit_estimator(*parts, FitSettings(FACE, training, 1)), frames.select(split.test)
 
 
 def test_the_tensors_answer_as_scikit_learn(frames):
@@ -58,19 +57,3 @@ def test_trees_beside_networks_help_and_heatmaps_add_up_to_the_force(frames):
     assert_allclose(found.heatmap_n.sum(axis=(1, 2, 3)), found.force_n, atol=1e-4)
     assert float(model.network.force_share) > 0
     assert_allclose(float(model.network.place_shares.sum()), 1.0)
-
-
-def test_trees_survive_the_file(frames, tmp_path):
-    model, test = fitted(frames, WITH_TREES)
-    save_model(model, tmp_path / "face.safetensors")
-    found, loaded = (
-        predict(one, test) for one in (model, load_model(tmp_path / "face.safetensors"))
-    )
-    for name in ("force_n", "xy_mm", "force_halfwidth_n", "novelty"):
-        assert_array_equal(getattr(loaded, name), getattr(found, name))
-
-
-def test_trees_are_refused_where_they_cannot_be(frames):
-    model, _ = fitted(frames, WITH_TREES.model_copy(update={"trees": 0}))
-    with pytest.raises(InputError, match=r"training\.trees = 10 does not go with a start"):
-        fitted(frames, WITH_TREES, start=model)

@@ -6,7 +6,6 @@ import torch
 from numpy.testing import assert_allclose
 from torch import nn
 
-from estimator.networks.intervals import coverage as coverage_module
 from estimator.networks.intervals.coverage import WHOLLY_NEW_FROM, Coverage, gp_weight
 from estimator.networks.network import ContactEstimator, HeadsNetwork, Reading
 from estimator.networks.training.data import Batch
@@ -151,12 +150,6 @@ def test_trees_take_their_share_less_where_contact_is_in_doubt():
     centre = 0.5 * np.array([0.3, 1.5]) + 0.3 * np.array([0.5, 3.0]) + 0.2 * np.array([-0.5, 0.0])
     assert_allclose(found.xy_mm[0], centre, rtol=1e-6)
     assert found.heatmap_n.sum().item() == pytest.approx(found.force_n.item())
-
-
-def test_newness_rises_smoothly_up_to_its_end(monkeypatch):
-    monkeypatch.setattr(coverage_module, "WHOLLY_NEW_FROM", 3.0)
-    found = gp_weight(torch.tensor([0.5, 1.0, 1.5, 2.0, 3.0, 4.0]))
-    assert_allclose(found, [0, 0, 0.25**2 * 2.5, 0.5, 1, 1])
 
 
 @pytest.mark.parametrize("novelty", [1.0, 1.25, 1.5, WHOLLY_NEW_FROM, 9.0])

@@ -1,4 +1,4 @@
-"""Parts of estimators by hand: blends, kernels of a process, schedules, and how a start must match."""
+"""Parts of estimators by hand: blends, kernels of a process, and schedules."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -8,7 +8,6 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.frames.face_data import HISTORY, channel_label
 from estimator.networks import process
@@ -125,29 +124,6 @@ def test_the_radius_of_the_grid_holds_the_wanted_share_about_every_answer():
     assert radius(data, both, 0.9) == pytest.approx(np.quantile(away, 0.9))
 
 
-def test_a_process_is_scikit_learn_s_with_the_same_kernel(monkeypatch):
-    from sklearn.gaussian_process import GaussianProcessRegressor
-    from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
-
-    monkeypatch.setattr(process, "chosen_kernel", lambda seen, aim: (2.0, 1.5, 0.01))
-    rng = np.random.default_rng(1)
-    counts = np.column_stack([rng.normal(50, 20, (30, 3)), np.full(30, 7.0)])
-    target = rng.normal(size=(30, 2)) * [3.0, 3.0] + [5.0, -2.0]
-    found = process.ProcessRegression(30, 4, 2)
-    found.fit(counts, target)
-    asked = np.column_stack([rng.normal(50, 30, (9, 3)), np.full(9, 7.0)])
-    scaled = [
-        (part[:, :3] - counts[:, :3].mean(axis=0)) / counts[:, :3].std(axis=0)
-        for part in (counts, asked)
-    ]
-    spread = np.sqrt(target.var(axis=0).mean())
-    kernel = ConstantKernel(2.0) * RBF(1.5) + WhiteKernel(0.01)
-    oracle = GaussianProcessRegressor(kernel, optimizer=None, alpha=0)
-    aim = (target - target.mean(axis=0)) / spread
-    wanted = oracle.fit(scaled[0], aim).predict(scaled[1]) * spread + target.mean(axis=0)
-    assert_allclose(found(torch.as_tensor(asked)), wanted, rtol=1e-6)
-
-
 def test_a_process_answers_with_pushes_within_the_grid():
     made = process.Process(process.ProcessShape(2, 2), 1)
     made.low_mm.copy_(torch.tensor([-1.0, -2.0]))
@@ -165,26 +141,24 @@ def settings(source="recorded", **changes):
     return FitSettings(3, asked, seed=5, budget_s=40.0, patience_epochs=3)
 
 
-def test_members_have_their_own_seeds_shares_of_the_time_and_rates():
-    first = training.schedule_of(settings(), 0, "recorded", False)
+def test_members_have_their_own_seeds_and_shares_of_the_time():
+    first = training.schedule_of(settings(), 0, "recorded")
     assert (first.epochs, first.batch_frames, first.patience_epochs) == (7, 512, 3)
     assert (first.learning_rate, first.weight_decay, first.budget_s) == (3e-3, 1e-3, 10.0)
-    assert (first.seed, training.schedule_of(settings(), 2, "recorded", False).seed) == (5, 15843)
+    assert (first.seed, training.schedule_of(settings(), 2, "recorded").seed) == (5, 15843)
     assert first.augmentation.other_faces == training.AUGMENTATION["recorded"].other_faces
-    tuned = training.schedule_of(settings(), 0, "recorded", True)
-    assert tuned.learning_rate == pytest.approx(0.0009)
-    whole = training.schedule_of(settings(model="whole-object"), 0, "simulated", False)
+    whole = training.schedule_of(settings(model="whole-object"), 0, "simulated")
     assert whole.augmentation == replace(training.AUGMENTATION["simulated"], other_faces=0.5)
     own = replace(settings(model="whole-object"), augmentation=training.AUGMENTATION["recorded"])
-    assert training.schedule_of(own, 0, "simulated", False).augmentation == own.augmentation
+    assert training.schedule_of(own, 0, "simulated").augmentation == own.augmentation
     endless = replace(settings(ensemble=None), budget_s=None)
-    assert training.schedule_of(endless, 0, "recorded", False).budget_s is None
-    alone = training.schedule_of(settings(ensemble=None), 0, "recorded", False)
+    assert training.schedule_of(endless, 0, "recorded").budget_s is None
+    alone = training.schedule_of(settings(ensemble=None), 0, "recorded")
     assert alone.budget_s == 40.0
 
 
 def test_a_fingerprint_tells_schedules_counts_maps_and_architectures_apart():
-    schedule = training.schedule_of(settings(), 0, "recorded", False)
+    schedule = training.schedule_of(settings(), 0, "recorded")
     counts, maps = torch.zeros(2, 3), torch.ones(2, 1)
     marks = {
         training.data_fingerprint(schedule, counts, maps, {}),
@@ -201,33 +175,6 @@ def test_trees_that_stand_behind_networks_average_two_frames_at_least():
     """A leaf of a single frame repeats its noise."""
     assert LEAST_FRAMES_OF_LEAF == 2
     assert_array_equal(held_out.SHARPNESS, 2.0 ** np.arange(5))
-
-
-@pytest.mark.parametrize(
-    ("change", "fits"),
-    [
-        ({}, True), ({"grid_x_mm": np.array([-3.0, 0, 3 + 9e-7])}, True),
-        ({"grid_x_mm": np.array([-3.0, 0, 3 + 2e-6])}, False),
-        ({"grid_x_mm": np.array([-3.0])}, False), ({"grid_y_mm": np.array([1.0, 6])}, False),
-        ({"grid_y_mm": np.array([1.0])}, False), ({"face": 2}, False), ({"hidden": (5, 5)}, False),
-    ],
-)  # fmt: skip
-def test_training_starts_from_a_model_of_the_same_face_settings_and_grid_alone(change, fits):
-    """How many members, trees and references it has is its own."""
-    settings = FitSettings(3, TrainingSpec())
-    whole = replace(settings.architecture, members=7, references=3)
-    start = SimpleNamespace(
-        face=change.get("face", 3),
-        architecture=replace(whole, hidden_units=change.get("hidden", whole.hidden_units)),
-        grid_x_mm=change.get("grid_x_mm", np.array([-3.0, 0, 3])),
-        grid_y_mm=change.get("grid_y_mm", np.array([1.0, 5])),
-    )
-    frames = SimpleNamespace(grid_x_mm=np.array([-3.0, 0, 3]), grid_y_mm=np.array([1.0, 5]))
-    check = training.require_same_kind.__wrapped__
-    if fits:
-        return check(start, settings, frames)
-    with pytest.raises(InputError, match="wanted are face 3"):
-        check(start, settings, frames)
 
 
 def test_targets_of_tenths_choose_a_kernel_as_well():

@@ -8,6 +8,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
+from design.errors import InputError
 from estimator.networks.intervals.conformal import conformal_quantile
 from estimator.networks.intervals.coverage import Coverage, growth
 from estimator.networks.training import fitting
@@ -97,3 +98,5 @@ def test_quantiles_weigh_presses_alike_and_count_the_one_to_come():
         later = score[min(np.searchsorted(share, min(1.0, level * 4 / 3) - 1e-9), 5)]
         assert conformal_quantile(score, press, level) == later
     assert conformal_quantile(score, press, 0.99) == 20.0
+    with pytest.raises(InputError, match="calibrate"):
+        conformal_quantile(np.array([]), np.array([], dtype=int), 0.9)

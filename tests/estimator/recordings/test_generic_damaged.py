@@ -21,7 +21,7 @@ def outcome(path):
 
 
 @settings(
-    max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
 def test_fuzzed_csv_gives_one_clear_error(tmp_path, good, sheared, data):
@@ -52,7 +52,7 @@ def test_fuzzed_csv_gives_one_clear_error(tmp_path, good, sheared, data):
 
 
 @settings(
-    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(content=st.binary(max_size=400))
 def test_any_bytes_at_all(tmp_path, content):

@@ -73,9 +73,9 @@ def used(recording, press):
 
 
 def test_a_sound_recording_has_none_of_them(read, arrays):
-    kinds = {fault.kind for fault in read(arrays).report.faults}
-    assert not kinds & (LABEL_FAULTS | SIGNS_AND_LIMITS)
-    assert all(used(read(arrays), press) for press in range(12))
+    recording = read(arrays)
+    assert not {fault.kind for fault in recording.report.faults} & (LABEL_FAULTS | SIGNS_AND_LIMITS)
+    assert all(used(recording, press) for press in range(12))
 
 
 def test_a_wrong_place_is_found_by_the_other_presses_of_both_places(read, arrays):

@@ -38,10 +38,9 @@ def planted_in(sheet, kind, seed, path):
     return planted, changed.write(path)
 
 
-@pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
-def test_each_fault_is_named_with_its_rows(sheet, tmp_path, kind, seed):
-    planted, path = planted_in(sheet, kind, seed, tmp_path / "planted.csv")
+def test_each_fault_is_named_with_its_rows(sheet, tmp_path, kind):
+    planted, path = planted_in(sheet, kind, 1, tmp_path / "planted.csv")
     found, told = named(path, planted)
     assert found, f"{planted}: {told}"
 

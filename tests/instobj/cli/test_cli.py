@@ -49,7 +49,14 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
     assert time.perf_counter() - started < 5
 
 
-def test_libraries_take_one_thread_unless_the_user_asks_for_more():
+@pytest.mark.parametrize(
+    ("asked", "found"),
+    [
+        ({}, "{1}"),
+        pytest.param(dict.fromkeys(ONE_THREAD, "2"), "{2}", marks=pytest.mark.slow),
+    ],
+)
+def test_libraries_take_one_thread_unless_the_user_asks_for_more(asked, found):
     """As the command's own process finds them, once it has answered."""
     program = (
         "import sys; from instobj.cli.app import main; sys.argv = ['instobj', '--help']\n"
@@ -61,12 +68,11 @@ def test_libraries_take_one_thread_unless_the_user_asks_for_more():
         "print(found | {torch.get_num_threads()})"
     )
     bare = {name: value for name, value in os.environ.items() if name not in ONE_THREAD}
-    for asked, found in (({}, "{1}"), (dict.fromkeys(ONE_THREAD, "2"), "{2}")):
-        done = subprocess.run(
-            [sys.executable, "-c", program], env=bare | asked, capture_output=True, text=True
-        )
-        assert done.returncode == 0, done.stderr
-        assert done.stdout.splitlines()[-1] == found
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=bare | asked, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == found
 
 
 def test_new_writes_a_specification_that_check_accepts(tmp_path):
@@ -81,15 +87,8 @@ def test_new_writes_a_specification_that_check_accepts(tmp_path):
     ("override", "words"),
     [
         ("shell.thicknes_mm=8", ("thickness_mm",)),
-        ("shell.thickness_cm=0.8", ("thickness_mm",)),
         ("shell.thickness_mm=-8", ("greater than or equal to 0.3", "-8")),
-        ("shell.thickness_mm=eight", ("shell.thickness_mm", "eight")),
-        ("magnets.positions_mm=[[0,0],[19,0]]", ("outside the shell",)),
         ("magnets.positions_mm=[[0,0],[4,0]]", ("overlap",)),
-        ("sensors.radius_mm=14", ("outside the core",)),
-        ("silicone.poisson_ratio=0.6", ("poisson_ratio",)),
-        ("press.depths_mm=[2,1]", ("increase",)),
-        ("contact_grid.count=[20,20]", ("contact_grid",)),
         ("name=../evil", ("name",)),
         ("shell", ("key=value",)),
         ("sensors.range_mt=3", ("range",)),
@@ -230,13 +229,10 @@ def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
         ("bench collect out --port x@fast", "PORT@BAUD"),
         ("bench collect out --replay a.csv@-1", "FILE@2"),
         ("bench collect out --port x --stop 0", "frames, such as 100"),
-        ("bench collect out --port x --stop soon", "seconds, such as 10s"),
         ("bench collect out --port x --stop nans", "seconds, such as 10s"),
         ("bench live --demo --page far:http", "TCP port"),
-        ("bench live --demo --page-port 8000", "--page PORT"),
         ("predict model.onnx a.csv --zero rest:2", "rest:20"),
         ("predict model.onnx a.csv --zero always", "rest, first or none"),
-        ("optimize a.toml --storage b", "--out FOLDER"),
         ("check a.toml --shell.thickness_mm=9", "--set shell.thickness_mm=VALUE"),
     ],
 )
@@ -244,19 +240,14 @@ def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, 
     assert_one_clear_error(run(*words.split(), cwd=tmp_path), told)
 
 
-@pytest.mark.parametrize(("option", "instead"), sorted(OPTIONS.items()))
-def test_every_option_that_went_says_what_to_write(option, instead, tmp_path):
+@pytest.mark.parametrize("option", ["--seed", "collect --force", "train --start"])
+def test_an_option_that_went_says_what_to_write(option, tmp_path):
     """Options that went from one command alone are asked of that one."""
     command, _, name = option.rpartition(" ")
-    command = command or "selftest"
-    group = ["bench"] if command in bench_commands() else []
-    done = run(*group, command, name, "1", cwd=tmp_path)
-    assert_one_clear_error(done, f"No such option: {name}", f"It went with 0.2.0: {instead}")
-
-
-def bench_commands():
-    bench = get_command(app).commands["bench"]
-    return bench.commands
+    group = ["bench"] if command == "collect" else []
+    done = run(*group, command or "run", name, "1", cwd=tmp_path)
+    told = f"It went with 0.2.0: {OPTIONS[option]}"
+    assert_one_clear_error(done, f"No such option: {name}", told)
 
 
 def shown_options(command):
@@ -299,7 +290,8 @@ def test_an_interrupt_that_a_destructor_meets_is_not_forgotten():
 def named_commands():
     """Yield every `instobj COMMAND` that a text of the program names, and the file that holds it."""
     for path in (path for room in PACKAGES for path in (ROOT / room).rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        source = path.read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(source)) if "`instobj" in source else ():
             parts = node.values if isinstance(node, ast.JoinedStr) else [node]
             text = "".join(str(getattr(part, "value", "")) for part in parts)
             if isinstance(node, ast.Constant | ast.JoinedStr):

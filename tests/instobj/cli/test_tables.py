@@ -136,15 +136,11 @@ def test_a_few_files_are_named_one_by_one_and_whole(monkeypatch, capsys):
 
 def test_check_tells_what_of_the_surface_the_locations_cover(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "80")
-    examples = [ROOT / "examples" / f"{name}.toml" for name in ("ball", "paper_cube")]
-    print_result(check_specifications(examples, []))
+    print_result(check_specifications([ROOT / "examples" / "paper_cube.toml"], []))
     shown = capsys.readouterr().out.splitlines()
     assert max(map(len, shown)) <= 80
-    told = [line.strip() for line in shown if "contact locations cover" in line]
-    assert told == [
-        "605 contact locations cover 76 % of the sensed surface, 9 to 9.36 mm² each",
-        "980 contact locations cover 100 % of the sensed surface, 9 mm² each",
-    ]
+    (told,) = [line.strip() for line in shown if "contact locations cover" in line]
+    assert told == "980 contact locations cover 100 % of the sensed surface, 9 mm² each"
 
 
 def test_a_table_without_rows_says_so(capsys):

@@ -57,6 +57,7 @@ def test_edges_of_the_mesh_follow_the_size_so_that_memory_is_enough(big):
     assert with_edges_that_fit(request, tables, most_gib=1e3) is tables
 
 
+@pytest.mark.slow
 def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     """What is named is asked for, and keeps what was said of it."""
     request = Request("pad", (60.0, 42.0, 11.0), sensors=1, magnets=2)
@@ -70,6 +71,7 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     assert first_score(spec_of(more)).within > score.within + 0.05
 
 
+@pytest.mark.slow
 def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
     """Of a cylinder with 97 % within: nothing can bring 5 % more."""
     request, shell = Request("cylinder", (60.0, 60.0, 80.0)), ShellVariant(8.0, 6.0, 5.0, 3.0)

@@ -1,4 +1,4 @@
-"""`instobj train --export` and `instobj predict` on files and on a port; training from a start."""
+"""`instobj train --export` and `instobj predict` on files and on a port."""
 
 import csv
 import json
@@ -30,7 +30,6 @@ from instobj.commands.readings import (
     live_frames,
     prediction_path,
 )
-from instobj.commands.run import run_estimator
 from tests.support.recordings.dummy_board import (
     CHANNELS,
     RATE_HZ,
@@ -252,18 +251,10 @@ def test_a_model_of_another_object_is_refused(folder, tmp_path, changes, words):
     assert not (tmp_path / "runs").exists()
 
 
-@pytest.mark.parametrize("changes", [{"sensors": 2}, {"grid_x_mm": np.array([-4.0, 0.0, 4.0])}])
-def test_evaluate_refuses_a_model_of_another_object(folder, tmp_path, monkeypatch, changes):
-    """In the library, and where the command goes on from models of another object."""
-    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    other = another_object(load_frames(folder / "press.nc"), **changes)
+def test_evaluation_refuses_a_model_of_another_object(folder):
+    other = another_object(load_frames(folder / "press.nc"), sensors=2)
     with pytest.raises(InputError, match="so it is of another object"):
         instobj.evaluate(load_model(folder / "face_3.safetensors"), other)
-    path = tmp_path / "other.nc"
-    save_frames(other, path)
-    with pytest.raises(InputError, match="so it is of another object"):
-        run_estimator([path], ("networks", "metrics"), tmp_path, SETTINGS, folder)
-    assert not (tmp_path / "runs").exists()
 
 
 def board_recording(folder, path):
@@ -413,27 +404,6 @@ def test_the_live_baud_rate_reaches_the_port(folder, monkeypatch):
     result = CliRunner().invoke(app, given)
     assert "no such rate" in str(result.exception)
     assert asked == [("none", 57600)]
-
-
-def test_train_from_a_start(folder, tmp_path, monkeypatch):
-    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
-    out = tmp_path / "out"
-    out.mkdir()
-    found = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, folder)
-    tuned = load_model(out / "runs" / "press" / "tuned" / "face_3.safetensors")
-    assert not (out / "runs" / "press" / "face_3.safetensors").exists()
-    anew = run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS)
-    assert found["objects"][0]["stages"] != anew["objects"][0]["stages"]
-    begun = load_model(folder / "face_3.safetensors")
-    before, after = (one.network.members[0].trunk[0].weight for one in (begun, tuned))
-    assert 0 < (before - after).abs().max() < 0.1
-    assert not (tmp_path / "store" / "unfinished").exists() or not any(
-        (tmp_path / "store" / "unfinished").iterdir()
-    )
-    with pytest.raises(InputError, match="holds no face_<n>"):
-        run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, out)
-    with pytest.raises(InputError, match="--start is for data sets"):
-        run_estimator([folder / "a.toml"], ("networks",), out, [], folder)
 
 
 def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(folder, tmp_path):

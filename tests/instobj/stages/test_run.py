@@ -92,12 +92,12 @@ def test_what_objects_share_is_asked_for_and_told_once(tmp_path, made, monkeypat
         changed = (spec.changed(sensors=spec.sensors.changed(averaging=n)) for n in (1, 8))
         return {f"twin {n}": ("signals", one) for n, one in enumerate(changed)}
 
-    def pretrained(context, folder):
+    def of_both(context, folder):
         GRID_SIGNALS.path(folder).write_text(str(sorted(context.inputs)))
 
-    stage = Stage("pretraining", ("mesh",), (), pretrained, of_others=of_two)
-    monkeypatch.setitem(run_module.STAGES, "pretraining", stage)
-    result = Run(SPEC, root=tmp_path).require("pretraining")
+    stage = Stage("both", ("mesh",), (), of_both, of_others=of_two)
+    monkeypatch.setitem(run_module.STAGES, "both", stage)
+    result = Run(SPEC, root=tmp_path).require("both")
     assert GRID_SIGNALS.path(result.folder).read_text() == "['mesh', 'twin 0', 'twin 1']"
     assert made == ["mesh", "signals", "signals"]
 

@@ -18,10 +18,6 @@ def _keys(*overrides: str, example: str = "") -> dict[str, str]:
     keys: dict[str, str] = {}
     for name, stage in STAGES.items():
         needs = {need: keys[need] for need in stage.needs}
-        if name == "pretraining":  # one twin tells as much as all
-            _, drawn = stage.of_others(spec)["twin 0"]
-            inputs = stage_inputs(STAGES["twin_frames"], drawn, {"presses": keys["presses"]}, {})
-            needs["twin 0"] = stage_key("twin_frames", inputs)
         keys[name] = stage_key(name, stage_inputs(stage, spec, needs, {}))
     return keys
 
@@ -115,12 +111,6 @@ for _override in (
 for _override, _stages in DOWNSTREAM.items():
     if "build" in _stages or _override.startswith("silicone."):
         DOWNSTREAM[_override] = _stages | {"fabrication", "sheet"}
-for _override, _stages in DOWNSTREAM.items():
-    trains_on = _override.startswith(("protocol.", "training.", "silicone.prony"))
-    if trains_on or ("robustness" in _stages and not _override.startswith("score.")):
-        _twins = set() if _override.startswith("training.") else {"twin_frames"}
-        DOWNSTREAM[_override] = _stages | _twins | {"pretraining"}
-DOWNSTREAM["protocol.presses_per_place=4"] -= {"pretraining"}  # which sets that itself
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 _LAID_OUT = ("shell.", "magnets.", "core.", "sensors.", "environment.", "as_built.")
 SHOWN_BY_THE_REPORT_ALONE = {

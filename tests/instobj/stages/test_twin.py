@@ -105,7 +105,7 @@ def test_the_command_writes_models_and_what_was_calibrated(
     beside = run_folder(tmp_path, "cube") / "face_3.safetensors"
     written = beside.read_bytes()
     found = run_estimator(
-        [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, None, tmp_path / "cube.toml"
+        [tmp_path / "cube.nc"], ("networks",), tmp_path, SETTINGS, tmp_path / "cube.toml"
     )
     target = run_folder(tmp_path, "cube") / "twin"
     assert beside.read_bytes() == written
@@ -201,4 +201,4 @@ def test_what_a_twin_does_not_serve_is_told_before_anything_is_simulated(frames,
         with pytest.raises(InputError, match=f"--twin serves .* training.{name} = "):
             twin_of_data(path, frames, asked)
     with pytest.raises(InputError, match="--twin is for data sets"):
-        run_estimator([Path("a.toml")], ("networks",), Path(), [], None, Path("a.toml"))
+        run_estimator([Path("a.toml")], ("networks",), Path(), [], Path("a.toml"))

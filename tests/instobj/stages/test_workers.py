@@ -4,30 +4,16 @@ import threading
 from contextlib import contextmanager
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from design.errors import InputError
 from design.spec_io import load_spec
-from estimator.calibration.twin.pretraining import twin_frames
-from estimator.frames.collection import joined
 from instobj.commands import run as commands
 from instobj.stages import workers
-from instobj.stages.run import Run
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import Here
-from instobj.store.content import find
 from instobj.store.progress import ProgressLine
-from instobj.store.readers import PRESSES, PRETRAINED, TWIN_FRAMES
 from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
-
-QUICK = [
-    *CHANGES,
-    "training.twins=2",
-    "training.epochs=1",
-    "training.hidden_units=[8]",
-    "training.ensemble=1",
-]
 
 
 @pytest.fixture
@@ -36,25 +22,6 @@ def store(tmp_path, monkeypatch):
     lend_mechanics(root)
     monkeypatch.setenv("INSTOBJ_STORE", str(root))
     return root
-
-
-def test_twins_of_pretraining_are_stages_that_can_be_made_anywhere(store):
-    spec = load_spec(SMALL_CUBE, QUICK)
-    tasks, (last,) = tasks_of([spec], ("pretraining",))
-    twins = [key for key, task in tasks.items() if task.stage == "twin_frames"]
-    assert len(twins) == 2
-    assert {*twins} < {*tasks[last["pretraining"]].needs}
-    (presses,) = (key for key, task in tasks.items() if task.stage == "presses")
-    assert all(tasks[key].needs == (presses,) for key in twins), "one mechanics for all"
-    done = Here().make(tasks, store, print)
-    made = [find(store, "twin_frames", done[key]["key"]) for key in twins]
-    assert len(PRETRAINED.read(Run(spec).require("pretraining").folder)) == len(spec.body.sensed)
-    frames = joined([TWIN_FRAMES.read(one.folder) for one in made if one is not None])
-    wanted = twin_frames(spec, *Run(spec).read(PRESSES), 2)
-    np.testing.assert_allclose(frames.signal_counts, wanted.signal_counts, atol=1e-3)
-    np.testing.assert_array_equal(frames.session_id, wanted.session_id)
-    more, _ = tasks_of([load_spec(SMALL_CUBE, [*QUICK, "training.twins=3"])], ("pretraining",))
-    assert {*twins} < {*more}, "those that are made are reused"
 
 
 def test_once_there_is_enough_no_further_stage_is_begun(store):

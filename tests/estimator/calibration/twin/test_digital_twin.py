@@ -10,6 +10,7 @@ from scipy.linalg import block_diag
 from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
 from estimator.calibration.twin import unknowns
+from estimator.calibration.twin.added_presses import calibrated_frames
 from estimator.calibration.twin.digital_twin import calibrate, left_share, places_left_out
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior
 from estimator.calibration.twin.pressed_places import (
@@ -17,7 +18,6 @@ from estimator.calibration.twin.pressed_places import (
     invalidate_hard_presses,
     pressed_places,
 )
-from estimator.calibration.twin.pretraining import calibrated_frames
 from estimator.frames.collection import with_slots
 from estimator.frames.press_protocol import simulate_presses
 from estimator.signals.interpolation import counts_at_force, press_traces
@@ -130,8 +130,9 @@ def test_a_prediction_of_no_object_leaves_everything(seen):
 
 
 def test_places_left_out_tell_the_error_beforehand(presses, seen):
-    calibrated, planned = places_left_out(SPEC, *presses, seen)
-    assert calibrated.shape == planned.shape == (len(seen),)
+    few = seen.select_places(np.arange(0, len(seen), 2))
+    calibrated, planned = places_left_out(SPEC, *presses, few)
+    assert calibrated.shape == planned.shape == (len(few),)
     assert np.median(calibrated) < 0.5 * np.median(planned)
     assert 0 <= np.median(calibrated) < 0.2
 

@@ -37,17 +37,6 @@ def test_a_healthy_object_raises_no_alarm():
     assert found(SMALL, {asked.name: made.recording(asked) for asked in asked_of(SMALL)}) == set()
 
 
-def test_faults_of_several_chips_and_a_magnet_are_named_together():
-    faults = ("swap=F1-S2,F3-S1", "flip=F3-M2", "turn=F5-S1", "dead=F2-Y1", "gain=F4-S2=1.1")
-    assert named(SMALL, 1, *faults) == {
-        ("swapped chips", "F1-S2 and F3-S1"),
-        ("flipped magnet", "F3-M2"),
-        ("turned chip", "F5-S1"),
-        ("dead axis", "F2-Y1"),
-        ("gain", "F4-S2"),
-    }
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("fault", PLANTED)
 def test_every_planted_fault_is_named_alone_in_each_of_20_objects(fault):

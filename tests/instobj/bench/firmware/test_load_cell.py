@@ -71,12 +71,6 @@ def test_a_load_that_stands_still_is_right_to_a_tenth_of_a_millinewton(bridge):
         assert told_n[0] == pytest.approx(force_n, abs=0.6e-4 + COUNT_N / 2)
 
 
-def test_frames_keep_their_rate_beside_the_load_cell(bridge, voltage):
-    for plan, elf in (bridge, voltage):
-        times = [frame.board_ms for frame in of(Frame, messages(elf, world(plan))[0])]
-        assert np.diff(times) == pytest.approx(1000 / 10.5, abs=4)
-
-
 @pytest.mark.parametrize(("force_n", "sign"), [(500.0, 1), (-500.0, -1)])
 def test_beyond_its_range_the_hx711_says_full_scale(bridge, force_n, sign):
     """±2²³ counts: 191.5 N of a cell for 49 N, more than any limit."""
@@ -86,20 +80,12 @@ def test_beyond_its_range_the_hx711_says_full_scale(bridge, force_n, sign):
     assert told_n == pytest.approx(sign * 2**23 * COUNT_N, abs=1e-3)
 
 
-@pytest.mark.parametrize(
-    "faults", [[("gone", -2, 0, 1e9)], [("shorted", -2, 0, 1e9)]], ids=["missing", "line low"]
-)
-def test_without_a_chip_no_force_is_made_up_and_frames_go_on(bridge, faults):
-    plan, elf = bridge
-    found, _ = messages(elf, world(plan, faults, load=ramp(3, 3), end_ms=1200))
-    assert not of(Load, found)
-    assert len(of(Frame, found)) > 8
-
-
 def test_a_chip_that_comes_late_or_leaves_is_read_while_it_is_there(bridge):
     plan, elf = bridge
     faults = [("gone", -2, 0, 400), ("shorted", -2, 900, 1200)]
-    ms, force_n = loads_of(messages(elf, world(plan, faults, load=ramp(3, 3), end_ms=1600))[0])
+    found, _ = messages(elf, world(plan, faults, load=ramp(3, 3), end_ms=1600))
+    ms, force_n = loads_of(found)
+    assert len(of(Frame, found)) > 12, "frames go on"
     assert ms.min() == pytest.approx(400, abs=20)
     assert not ((ms > 915) & (ms < 1200)).any()
     assert ms.max() > 1500
@@ -111,13 +97,6 @@ def test_an_hx711_left_at_10_readings_a_second_is_read_at_that(bridge):
     ms, _ = loads_of(messages(elf, world(plan, load=ramp(3, 3), sps=10))[0])
     assert set(np.diff(ms)) <= {99, 100, 101}
     assert ms[0] >= 400
-
-
-def test_a_cell_that_reads_less_when_pressed_has_its_sign_turned(tmp_path):
-    plan, elf = built(object_of("hx711", scale_n=98.07 / -2.0), tmp_path)
-    loads = [(0, bridge_mv_per_v(6.0, 98.07, -2.0))]
-    _, told_n = loads_of(messages(elf, world(plan, load=loads, end_ms=500))[0])
-    assert told_n == pytest.approx(6.0, abs=1e-4)
 
 
 def test_a_voltage_is_read_as_the_mean_of_many_conversions(voltage):
@@ -139,10 +118,9 @@ def test_another_input_and_other_figures_of_a_force_sensor(tmp_path):
     assert told_n == pytest.approx(4.9, abs=4.9 * 5 / 1024)
 
 
-@pytest.mark.parametrize("kind", ["hx711", "analog"])
-def test_the_planned_rate_is_kept_with_a_load_cell(tmp_path, kind):
+def test_the_planned_rate_is_kept_with_a_load_cell(tmp_path):
     """At 95 % of the fastest rate that the plan promises no frame is late."""
-    whole = {"name": "fast", "sensors": {"averaging": 4}, "load_cell": {"kind": kind}}
+    whole = {"name": "fast", "sensors": {"averaging": 4}, "load_cell": {"kind": "hx711"}}
     promised, _ = built(ObjectSpec.model_validate(whole), tmp_path / "slow")
     whole["sensors"]["frame_rate_hz"] = round(0.95 * promised.time.fastest_hz, 1)
     plan, elf = built(ObjectSpec.model_validate(whole), tmp_path / "fast")

@@ -75,7 +75,6 @@ def test_collect_gets_the_paper_cubes_frames_right_to_the_count(paper, tmp_path)
         (MIXED, {"axes": ["X", "Z"]}, COUNTS_PER_MT),
         (MIXED, MLX, 1e3 / 1.502),
         (MIXED, TLE, 15.4),
-        (MULTIPLEXED, {**TLE, "range_mt": 160.0}, 7.7),
     ],
 )
 def test_other_plans_give_every_sensor_its_field(tmp_path, way, sensors, counts_per_mt):

@@ -49,7 +49,7 @@ def test_lines_decode_to_the_counts_with_the_chips_noise():
     decoder.feed(encode_header(names))
     read, loads = [], []
     for number in range(400):
-        for message in decoder.feed(hand_lines(hand(), number, 200.0, rng)):
+        for message in decoder.feed(hand_lines(hand(), number, rng)):
             (read if isinstance(message, Frame) else loads).append(message)
     assert decoder.statistics.damaged_lines == decoder.statistics.lost_frames == 0
     noise = np.array([one.counts for one in read]) - hand().counts[0]  # 2 s of rest
@@ -65,7 +65,7 @@ def test_the_true_contacts_are_told_as_a_load_cells():
     decoder = LineDecoder()
     loads = [
         one
-        for one in decoder.feed(hand_lines(hand(), number, 200.0, np.random.default_rng(1)))
+        for one in decoder.feed(hand_lines(hand(), number, np.random.default_rng(1)))
         if isinstance(one, Load)
     ]
     slots = np.flatnonzero(hand().face[knot] >= 0)
