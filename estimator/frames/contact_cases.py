@@ -141,8 +141,8 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
     wanted, rng = spec.collection.random_grasps, np.random.default_rng((spec.seed, 6))
     if wanted and len(spec.collection.grasp_faces) == 3:
         raise InputError(
-            f"collection.random_grasps = {wanted} draws places of jaws; a thumb and two fingers have places of "
-            "their own. Set it to 0"
+            f"collection.random_grasps = {wanted} draws places of jaws; a thumb and two fingers have places "
+            "of their own. Set it to 0"
         )
     if wanted:
         return opposed(

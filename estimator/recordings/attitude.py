@@ -48,19 +48,19 @@ class Attitude:
         if self.down is None or not 0 <= step_s <= _LONGEST_STEP_S:
             self.down = -force / size if is_calm else None
             return
-        angle = float(np.linalg.norm(rate)) * step_s
+        down, angle = self.down, float(np.linalg.norm(rate)) * step_s
         if angle > 0:
             axis = rate / np.linalg.norm(rate)
             # Rodrigues' rotation by −ω Δt, exact for a rate that is constant over the step
-            self.down = (
-                self.down * np.cos(angle)
-                - np.cross(axis, self.down) * np.sin(angle)
-                + axis * (axis @ self.down) * (1 - np.cos(angle))
+            down = (
+                down * np.cos(angle)
+                - np.cross(axis, down) * np.sin(angle)
+                + axis * (axis @ down) * (1 - np.cos(angle))
             )
         if is_calm:
             gain = 1 - np.exp(-step_s / _SETTLE_S)
-            self.down = self.down - gain * (self.down + force / size)
-        self.down = self.down / np.linalg.norm(self.down)
+            down = down - gain * (down + force / size)
+        self.down = down / np.linalg.norm(down)
 
     @property
     def text(self) -> str:
