@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 from math import ceil
 from typing import TYPE_CHECKING, TypeAlias
@@ -204,7 +205,7 @@ def check_fits(spec: ObjectSpec) -> list[Finding]:
     ]
 
 
-def interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]:
+def interference(mounted: Sequence[Mounted], core: trimesh.Trimesh) -> list[Finding]:
     """The board or chip that shares most volume with the core."""
     solid = manifold_of(core)
     shares = [
@@ -228,7 +229,7 @@ def interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]
     ]
 
 
-def collisions(mounted: list[Mounted]) -> list[Finding]:
+def collisions(mounted: Sequence[Mounted]) -> list[Finding]:
     """Largest common volume of the boards and chips of two sensors."""
     worst, place, names = 0.0, None, ""
     for a, b in combinations(mounted, 2):

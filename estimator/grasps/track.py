@@ -74,7 +74,7 @@ class ContactTrack:
         mean = values.mean(axis=0)[None]
         return ContactTrack(
             self.time_s[frames].mean(keepdims=True), self.face[frames[:1]], mean[..., :2], mean[..., 2:],
-            covariance[None], self.explained[frames].all(keepdims=True), self.scale_error,
+            covariance[None], np.array([self.explained[frames].all()]), self.scale_error,
         )  # fmt: skip
 
     @property

@@ -101,7 +101,9 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[JawFace]) -> list[JawBounds]:
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, change.shape[-1])[used]
         white = whitened_slopes(slopes[:, used], sigma, nuisances[used])[0]
-        force, x, y, *tilts = _deviations(white, block_diag(*functions)).reshape(-1, 5).T
+        force, x, y, *tilts = (
+            _deviations(white, np.asarray(block_diag(*functions))).reshape(-1, 5).T
+        )
         columns[f"force_bound{suffix}_n"] = force
         columns[f"centre_bound{suffix}_mm"] = np.hypot(x, y)
         columns[f"tilt_bound{suffix}_deg"] = np.hypot(*tilts)

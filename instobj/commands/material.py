@@ -1,5 +1,7 @@
-"""The modulus of a silicone from its name, a hardness or a tensile test, with the fits and a figure; layers
-of silicone that give way as a fruit does."""
+"""Modulus of a silicone, and silicones that give way as a fruit does.
+
+The modulus comes from a name, a hardness or a tensile test, with the fits and a figure.
+"""
 
 from __future__ import annotations
 
