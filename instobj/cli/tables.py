@@ -53,6 +53,8 @@ def print_result(result: dict[str, Any]) -> None:
     for item in result.get("objects", ()):
         console.rule(item["name"])
         _print_summary(console, _headlines(item["summary"]))
+        if item is result["objects"][-1]:
+            _print_next(console, result)
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
@@ -66,6 +68,11 @@ def print_result(result: dict[str, Any]) -> None:
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
+    if not result.get("objects"):
+        _print_next(console, result)
+
+
+def _print_next(console: Console, result: dict[str, Any]) -> None:
     if "next" in result:
         console.print(f"next: {result['next']}", soft_wrap=True)
 

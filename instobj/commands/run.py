@@ -279,18 +279,17 @@ def run_one_object(
 
     run = Run(spec, progress or ProgressLine())
     _say_first_verdict(run, stages)
-    files: list[Path] = []
+    files: set[Path] = set()
     for name in stages:
-        earlier = set(run.results)
         run.require(name)
-        for stage in [name, *(s for s in run.results if s not in earlier and s != name)]:
-            files += publish(spec, run.results[stage], out)
+    for result in run.results.values():
+        files.update(publish(spec, result, out))
     return {
         "name": spec.name,
         "spec_hash": spec_hash(spec),
         "stages": [stage_row(result) for result in run.results.values()],
         "summary": summarize(run.results, spec),
-        "files": file_rows(files),
+        "files": file_rows(sorted(files)),
     }
 
 

@@ -112,18 +112,18 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
     if "robustness" in results:
         objects = ROBUSTNESS.read(results["robustness"].folder).saturation
     verdict = judge(spec, scores, margin, objects)
+    built = "of the design alone, tolerances by `instobj run`"
+    if objects is not None:
+        built = objects_text(objects)
     good = "good enough" if verdict.go else "not good enough"
     lines = {
-        GO if verdict.go else NO_GO: f"{good} for the use {spec.limits.use!r}",
-        "located": located_text(spec, scores),
+        GO if verdict.go else NO_GO: (
+            f"{good} for the use {spec.limits.use!r}; {located_text(spec, scores)}"
+        ),
+        "judged on": f"{verdict.covered:.0%} of the sensed surface; {built}",
         "limited by": verdict.limited_by,
-        "judged on": f"{verdict.covered:.0%} of the sensed surface",
         "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
     }
-    if objects is None:
-        lines["not yet judged"] = "objects as they are built, within tolerances (instobj run)"
-    else:
-        lines["built within tolerances"] = objects_text(objects)
     if "alternatives" in results:
         rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
         lines["what to change"] = decision(remedies(spec, rows), verdict.go)

@@ -171,12 +171,12 @@ def test_networks_beat_the_linear_estimator_and_chance(folder, first):
     done = run("train", "small.toml", *NETWORKS, "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     assert all((folder / f"runs/small/face_{face}.safetensors").exists() for face in FACES)
-    (title,) = (name for name in _document(done)["summary"] if "metrics on held-out" in name)
+    (title,) = (name for name in _document(done)["summary"] if "force maps of held-out" in name)
     rows = _document(done)["summary"][title]
     for face in FACES:
         network, ridge, chance = (row for row in rows if row["face"] == face)
-        assert network["E_f %"] < ridge["E_f %"]
-        assert network["A_sim"] > max(ridge["A_sim"], chance["A_sim"])
+        assert network["force error %"] < ridge["force error %"]
+        assert network["similarity"] > max(ridge["similarity"], chance["similarity"])
 
 
 def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
