@@ -49,7 +49,7 @@ class MeshSpec(SpecPart):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces.
 
     At the rims of rigid bodies, and under the tip of a single press, they are `rim_edge_ratio`
-    times those under the faces. The mesh leaves no surface by more than `envelope_mm`; half of it
+    times those under the faces; magnets are prisms of 16 sides, of 8 where that is 1. The mesh leaves no surface by more than `envelope_mm`; half of it
     is for the triangles that stand for curved surfaces.
     """
 
@@ -57,7 +57,11 @@ class MeshSpec(SpecPart):
     surface_edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 1.7
     rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
     envelope_mm: Annotated[float, Field(ge=1e-4, le=5)] = 0.06
-    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
+
+    @property
+    def magnet_sides(self) -> int:
+        """Sides of the prisms that stand for round magnets: half as many where their rims are coarse."""
+        return 16 if self.rim_edge_ratio < 1 else 8
 
     @property
     def finest_edge_mm(self) -> float:

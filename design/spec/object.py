@@ -95,15 +95,6 @@ class ObjectSpec(SpecPart):
         """Forces at which a search judges layouts: `search.forces_n`, or `score.force_n` alone."""
         return self.search.forces_n or (self.score.force_n,)
 
-    @property
-    def for_scoring(self) -> ObjectSpec:
-        """With the disturbances that a search judges layouts by: where `search.baseline` is "drifted", a
-        baseline is as far off as the sensors drift."""
-        if self.search.baseline == "fresh":
-            return self
-        drifted = self.sensors.changed(zeroing_counts=self.sensors.drift_counts)
-        return self.changed(sensors=drifted)
-
     @model_validator(mode="after")
     def _element_takes_the_material(self) -> ObjectSpec:
         nu, element = self.silicone.poisson_ratio, self.mechanics.element

@@ -38,6 +38,7 @@ REMOVED = {
     "magnets.turns": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "mechanics.element = p1": "linear tetrahedra lock. Take taylor-hood",
     "mechanics.slip.model": "the shell follows its slipped core by finite elements",
+    "mesh.magnet_sides": "magnets are prisms of 16 sides, of 8 where mesh.rim_edge_ratio is 1",
     "mould.dowel_draft_deg": "dowels have a draft of 10°",
     "mould.draft_deg": "pins and rods are straight, with printer.clearance_mm about them",
     "mould.flange_mm": "flanges are 8 mm wide, or as wide as walls beside their bolts need",
@@ -52,6 +53,8 @@ REMOVED = {
     "protocol.peak_force_spread": "peaks vary by 10 % from press to press",
     "score.hull": "δ is taken from the covariance of the signals",
     "score.hull_frames": "δ is that of 1000 frames",
+    "search.baseline": "bounds are of a baseline that is sensors.zeroing_counts off: raise that to "
+    "sensors.drift_counts",
     "search.batch": "a batch has a layout for each process, 64 on a card, 16 without polish_steps",
     "search.compliance_mm_per_n": "layouts are not judged by softness",
     "search.engine": "layouts begin at random, choices by turns, and are improved by CMA-ES",

@@ -114,14 +114,13 @@ class SearchSpec(SpecPart):
     mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
     A trial beyond `trial_limit_s` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
-    Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
+    Bounds are of a baseline that is `sensors.zeroing_counts` off.
     """
 
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
         "worst_position_bound_mm",
     )
     forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
-    baseline: Literal["fresh", "drifted"] = "fresh"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0

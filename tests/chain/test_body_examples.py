@@ -25,7 +25,6 @@ COARSE = [
     "mesh.edge_mm=9",
     "mesh.surface_edge_mm=3.6",
     "mesh.rim_edge_ratio=1",
-    "mesh.magnet_sides=8",
     "mesh.envelope_mm=0.1",
     "contact_grid.count=[3, 3]",
     "contact_grid.pitch_mm=2.5",

@@ -29,7 +29,6 @@ positions_mm = [[0, 0], [9, 6]]
 edge_mm = 9.0
 surface_edge_mm = 3.6
 rim_edge_ratio = 1
-magnet_sides = 8
 envelope_mm = 0.1
 [contact_grid]
 count = [3, 3]

@@ -33,7 +33,6 @@ sensed_faces = [1, 3]
 edge_mm = 8.0
 surface_edge_mm = 3.0
 rim_edge_ratio = 1
-magnet_sides = 8
 envelope_mm = 0.1
 [contact_grid]
 count = [4, 4]

@@ -47,7 +47,6 @@ TINY = {
         "edge_mm": 8.0,
         "surface_edge_mm": 3.0,
         "rim_edge_ratio": 1,
-        "magnet_sides": 8,
         "envelope_mm": 0.1,
     },
     "score": {"force_n": 4.0},

@@ -49,7 +49,6 @@ def test_slits_keep_a_press_off_the_neighbouring_face():
                 "edge_mm": 6.0,
                 "surface_edge_mm": 3.0,
                 "rim_edge_ratio": 1.0,
-                "magnet_sides": 8,
             }
         }
         spec = parsed(content | {"shell": {"slits": {"depth_mm": depth}}})
