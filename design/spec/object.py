@@ -126,7 +126,7 @@ class ObjectSpec(SpecPart):
                 "silicone.layers need an element whose pressure may jump between them; got "
                 'mechanics.element = "taylor-hood". Use "p2-p0", or "p2" for foams and lattices'
             )
-        total = sum(layer.thickness_mm for layer in layers)
+        total = sum(depth_mm for depth_mm, _ in layers)
         if layers and total >= thickness:
             raise ValueError(
                 f"silicone.layers are {total:g} mm thick together; shell.thickness_mm is "

@@ -14,7 +14,6 @@ import numpy as np
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
-from estimator.information.fisher import SUFFIXES
 from estimator.information.scores import fill_places
 from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import write_page

@@ -23,9 +23,8 @@ MODELS = {
     "dipole": FieldModel(DISK, "dipole"),
 }
 AROUND = {
-    "earth_field_ut": 45.0,
-    "earth_direction": [1.0, -2.0, 0.5],
-    "magnets": [{"position_mm": [40.0, 10.0, 5.0], "axis": [0.2, 1.0, -0.4]}],
+    "earth_ut": [20.0, -40.0, 10.0],
+    "magnets": [{"position_mm": [40.0, 10.0, 5.0], "remanence_t": [0.2, 1.0, -0.4]}],
     "steel_plates": [
         {"position_mm": [0, 0, -40.0], "normal": [0.1, 0, 1.0], "relative_permeability": 60.0}
     ],

@@ -219,7 +219,7 @@ def test_several_contacts_anywhere(signals, mechanics):
 
 
 def test_relaxation_lowers_the_felt_force_but_not_the_signals(signals, mechanics):
-    prony = ({"fraction": 0.3, "time_s": 1.5},)
+    prony = ((0.3, 1.5),)
     plain = spec_of(sensors=QUIET, protocol={"force_noise_n": 0.0})
     soft = plain.model_copy(
         update={

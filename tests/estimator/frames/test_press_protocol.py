@@ -193,7 +193,7 @@ def test_too_much_jitter_is_refused(signals):
 def test_relaxing_silicone_gives_hysteresis_in_force_and_none_in_the_signals(signals):
     quiet = {"sensors": QUIET_SENSORS, "protocol": PROTOCOL | {"force_noise_n": 0.0}, "seed": 4}
     elastic = simulate_presses(coarse_spec(**quiet), signals, "hash")
-    prony = ({"fraction": 0.2, "time_s": 0.8},)
+    prony = ((0.2, 0.8),)
     relaxed = simulate_presses(coarse_spec(**quiet, silicone={"prony": prony}), signals, "hash")
     np.testing.assert_array_equal(relaxed.signal_counts, elastic.signal_counts)
     shape = (5 * 20 * 3, 26)

@@ -5,10 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from design.spec.silicone import PronyTermSpec
 from fem.presses.viscoelastic import relaxed_force_n
 
-TERMS = (PronyTermSpec(fraction=0.15, time_s=0.4), PronyTermSpec(fraction=0.25, time_s=3.0))
+TERMS = ((0.15, 0.4), (0.25, 3.0))
 
 
 def dynamic_modulus(omega, terms=TERMS):
