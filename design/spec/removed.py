@@ -19,7 +19,9 @@ _OBJECTIVES_GONE = {
 }
 REMOVED = {
     "body.unit": "body.scale is the length of a unit of the file in mm: 10 for cm, 1000 for m, 25.4 for in",
+    "collection.dual_poses": "it is the first of collection.poses",
     "collection.hysteresis": "silicone.prony makes the felt force lag",
+    "collection.triple_poses": "it is the second of collection.poses",
     "core.hub_depth_mm": "the hub's recess is 0.5 mm deep",
     "core.hub_radius_mm": "the hub's recess is as wide as the wider wire hole",
     "core.keys.height_mm": "it is the third of core.keys.size_mm",
@@ -33,6 +35,9 @@ REMOVED = {
     "environment.magnets.height_mm": "it is the second of environment.magnets.size_mm",
     "environment.magnets.recoil_permeability": "magnets nearby are taken for NdFeB, 1.05",
     "export": "triangles leave the solids by 0.05 mm at most and turn by 0.2 rad",
+    "indenter.file": "indenter.vertices_mm takes an STL file, or corners",
+    "indenter.tilt_deg": "it is the second and third of indenter.turn_deg",
+    "indenter.yaw_deg": "it is the first of indenter.turn_deg",
     "inversion.drift_counts": "sensors.zeroing_counts is the error of the zero",
     "inversion.least_force_n": "contacts of 0.2 N and more are read",
     "limits.saturation_margin": "a tenth of the sensors' range stays free",
@@ -54,11 +59,13 @@ REMOVED = {
     "mould.play_mm": "sliding parts have printer.clearance_mm between them",
     "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
     "mould.vent_mm": "vents are as wide as printer.hole_mm",
+    "mould.wall_mm": "walls of moulds are 1.5 mm thick, or as thick as printer.wall_mm",
     "printer.aspect": "it is that of printer.process",
     "printer.density_g_per_cm3": "it is that of printer.process",
     "printer.draft_deg": "it is that of printer.process",
     "printer.feature_mm": "pins and ribs are as thick as printer.wall_mm at least",
     "protocol.peak_force_spread": "peaks vary by 10 % from press to press",
+    "protocol.rest_frames_per_press": "it is the first of protocol.frames_per_press",
     "score.hull": "δ is taken from the covariance of the signals",
     "score.hull_frames": "δ is that of 1000 frames",
     "search.baseline": "bounds are of a baseline that is sensors.zeroing_counts off: raise that to "

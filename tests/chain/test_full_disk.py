@@ -51,7 +51,7 @@ TINY = {
     },
     "score": {"force_n": 4.0},
     "search": {"forces_n": [4.0]},
-    "protocol": {"presses_per_place": 4, "frames_per_press": 16, "rest_frames_per_press": 4},
+    "protocol": {"presses_per_place": 4, "frames_per_press": (4, 16)},
     "training": {"model": "compact", "hidden_units": [16, 16], "epochs": 4},
 }
 

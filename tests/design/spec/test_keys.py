@@ -35,7 +35,7 @@ def test_every_number_has_bounds_on_both_sides():
 def test_poses_of_the_paper_s_two_and_three_contacts_turn_into_each_other():
     """Level pairs and the same upright; triples and the same upside down."""
     collection = ObjectSpec(name="paper").collection
-    dual, triple = collection.dual_poses, collection.triple_poses
+    dual, triple = collection.poses
     level = {*product((-6, -3, 0, 3, 6), (-10.5, 10.5), (0,)), *product((-6, 0, 6), (-1.5,), (0,))}
     assert len(dual) == 26
     assert set(dual) == level | {(y, x, 90) for x, y, _ in level}

@@ -80,8 +80,8 @@ mechanics.correction=large-strain mechanics.element=% | taylor-hood | p2-p0 | co
 mechanics.correction=large-strain mechanics.interface=% | bonded | frictionless | correction
 mechanics.correction=large-strain mechanics.slip.shift_mm=[0,0,%] | 0 | 0.1 | correction
 mechanics.interface=frictionless mechanics.slip.rotation_deg=[0,0,%] | 0 | 1 | moves a bonded interface
-indenter.tilt_deg=[0,%] | 0 | 3 | does nothing to a hemisphere
-indenter.kind=% indenter.tilt_deg=[0,3] | flat | hemisphere | does nothing to a hemisphere
+indenter.turn_deg=[9,0,%] | 0 | 3 | does nothing to a hemisphere
+indenter.kind=% indenter.turn_deg=[9,0,3] | flat | hemisphere | does nothing to a hemisphere
 indenter.kind=% indenter.vertices_mm=[[0,0,0],[6,0,8],[-6,5,8],[-6,-5,8]] | stl | flat | goes with indenter
 indenter.fillet_mm=% | 0 | 1 | fillet_mm
 environment.magnets=[{position_mm=[90,0,0],remanence_t=[0,0,%]}] | 1 | 0 | must not be zero

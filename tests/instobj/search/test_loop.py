@@ -79,7 +79,7 @@ def test_a_search_is_neither_overwritten_nor_mixed_up(tmp_path):
         {"tolerances": {"magnet_seat_mm": 0.4}},
         {"environment": {"earth_ut": 61.0}},
         {"training": {"epochs": 7}},
-        {"protocol": {"frames_per_press": 77}},
+        {"protocol": {"frames_per_press": (8, 77)}},
         {"printer": {"clearance_mm": 0.3}},
         {"seed": 9},
     ],

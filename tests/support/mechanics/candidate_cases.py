@@ -48,7 +48,7 @@ def made_up_spec(body=None):
     spec = body or ObjectSpec(name="cube", contact_grid=ContactGridSpec(count=(5, 4), pitch_mm=6.0))
     noise = tuple(LINEAR * counts for counts in (22.0, 15.0, 11.0))
     update = {"noise_counts": noise, "zeroing_counts": 10 * LINEAR}
-    earth = {"earth_ut": (0.0, 0.0, -LINEAR * spec.tolerances.earth_field_ut)}
+    earth = {"earth_field_ut": LINEAR * spec.tolerances.earth_field_ut}
     return spec.model_copy(
         update={
             "sensors": spec.sensors.model_copy(update=update),

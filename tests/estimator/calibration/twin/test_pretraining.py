@@ -19,8 +19,7 @@ SPEC = coarse_spec(
     contact_grid={"count": (3, 3), "pitch_mm": 6.0},
     protocol={
         "presses_per_place": 3,
-        "frames_per_press": 10,
-        "rest_frames_per_press": 3,
+        "frames_per_press": (3, 10),
         "peak_force_n": (6.0, 9.0),
     },
 )
