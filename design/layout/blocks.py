@@ -47,7 +47,7 @@ def _key(spec: ObjectSpec, frame: FaceFrame, xy_mm: np.ndarray) -> Block:
     keys, tangent = spec.core.keys, frame.tangent(xy_mm)
     sunk = 0.0 if frame.flat else _sunk_mm(spec, tangent, xy_mm)
     sunk += SUNK_MM
-    half = (np.array(keys.size_mm) + [0, 0, sunk]) / 2
+    half = np.add(keys.size_mm, (0, 0, sunk)) / 2
     centre = tangent.to_object(np.append(xy_mm, (keys.size_mm[2] - sunk) / 2))
     return Block(centre, tangent.axes, half)
 

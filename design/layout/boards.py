@@ -255,8 +255,8 @@ def wire_channels(
 ) -> list[Block]:
     """Channels from the wire hole in the middle of a core's face to the recesses at these places.
 
-    Their floors are level, and the depth of `core.wire_channel_mm` or more below the surface all the way; they
-    end so far above it. A recess over the hole needs none.
+    Their floors are level, and the depth of `core.wire_channel_mm` or more below the surface all the
+    way; they end so far above it. A recess over the hole needs none.
     """
     width, away = spec.core.wire_channel_mm[0], [np.array(place[:2]) for place in places]
     if not width:

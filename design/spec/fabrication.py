@@ -33,9 +33,10 @@ class MouldSpec(SpecPart):
     along their own axes (bosses that point along the pull stay on their half). Left out, the style
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
     out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
-    Walls are `MOULD_WALL_MM` thick, or as thick as the printer's; `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
-    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. Walls that shape
-    silicone have the draft of the object's own; pins and rods are straight.
+    Walls are `MOULD_WALL_MM` thick, or as thick as the printer's; `printer.clearance_mm` is left
+    between parts that slide. A closed mould is poured through a hole of `pour_mm`; vents of
+    `printer.hole_mm` stand where air would be caught. Walls that shape silicone have the draft of the
+    object's own; pins and rods are straight.
     """
 
     style: Literal["one-piece", "split"] | None = None

@@ -49,8 +49,9 @@ class MeshSpec(SpecPart):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces.
 
     At the rims of rigid bodies, and under the tip of a single press, they are `rim_edge_ratio`
-    times those under the faces; magnets are prisms of 16 sides, of 8 where that is 1. The mesh leaves no surface by more than `envelope_mm`; half of it
-    is for the triangles that stand for curved surfaces.
+    times those under the faces; magnets are prisms of 16 sides, of 8 where that is 1. The mesh leaves
+    no surface by more than `envelope_mm`; half of it is for the triangles that stand for curved
+    surfaces.
     """
 
     edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 4.0
@@ -142,9 +143,9 @@ class IndenterSpec(SpecPart):
     hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm`, lying along the
     face's x, as long as the first of `size_mm`. cuboid, a jaw: `size_mm`. ellipsoid, a fingertip:
     `size_mm` are its widths, `radius_mm` is half its height. stl: the convex body of `vertices_mm` (in a
-    specification's file also the path of its STL), its lowest point down. The edges of flat and cuboid are rounded by `fillet_mm`. `turn_deg` turns the
-    indenter about the face's normal, then about the face's x, then about its y; the place pressed is
-    where its lowest point lands, of flat and cuboid the middle of the underside. Rigid, or with a
+    specification's file also the path of its STL), its lowest point down. The edges of flat and
+    cuboid are rounded by `fillet_mm`. `turn_deg` turns the indenter about the face's normal, then
+    about the face's x, then about its y; the place pressed is where its lowest point lands, of flat and cuboid the middle of the underside. Rigid, or with a
     soft pad bonded to it: `pad` is its thickness (mm), Young's modulus (MPa) and Poisson's ratio.
     `direction_deg` is how far its path leans from the inward normal towards x and y: at depth d it
     has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart (left

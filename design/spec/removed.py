@@ -87,6 +87,7 @@ REMOVED = {
     "search.task": "layouts are judged by bounds of position and force",
     "search.trial_seconds": "a trial may take 3 s for each generation, 900 s at least",
     "search.vary.core_size_mm": "search once for each size of the core",
+    "search.vary.magnet_grade": "search once for each magnets.grade",
     "search.vary.sensor_range_mt": "search once for each sensors.range_mt",
     "search.vary.silicone": "search once for each silicone.name",
     "search.vary.sensor_turn_deg": "a chip turned about its Z measures as well",

@@ -79,7 +79,9 @@ def periodic_recipe(
     frames, quiet = spec.collection.frames_per_case, spec.collection.non_contact_cases
     traces = contact_traces(spec, signals, cases, mechanics, progress)
     total = len(cases) + quiet
-    period = spec.protocol.frames_per_press[1] * (1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1)))
+    period = spec.protocol.frames_per_press[1] * (
+        1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1))
+    )
     turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
     peak = peak_travel_mm(spec, signals, cases, traces)
     return Recipe(cases, traces, None, peak, turns, np.ones(frames, bool))

@@ -103,7 +103,9 @@ def test_keys_lie_on_their_patches_and_below_the_surface(given):
         core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"positions_mm": [[0.0, y]]}}
         assert bool(told(check_keys, words, cylinder(core=core))) == beyond
     for height, refused in ((7.99, False), (8.0, True)):
-        core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"size_mm": [3.0, 3.0, height]}}
+        core = CYLINDER["core"] | {
+            "keys": CYLINDER["core"]["keys"] | {"size_mm": [3.0, 3.0, height]}
+        }
         assert bool(told(check_keys, "must be below shell.thick", cylinder(core=core))) == refused
 
 

@@ -15,7 +15,9 @@ from design.solids.shell import envelope, make_shell
 from design.spec_io import parse_spec
 from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
-KEYS = {"core": {"keys": {"positions_mm": [[11.5, 11.0], [-11.2, 11.5]], "size_mm": [2.0, 3.0, 1.5]}}}
+KEYS = {
+    "core": {"keys": {"positions_mm": [[11.5, 11.0], [-11.2, 11.5]], "size_mm": [2.0, 3.0, 1.5]}}
+}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}
 LAYER = {"shell": {"seal_layer_mm": 0.7}}
 ALL = {

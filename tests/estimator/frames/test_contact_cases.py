@@ -113,9 +113,7 @@ def test_a_probe_is_turned_from_x_to_y_about_its_middle(tips, pose):
 
 
 def test_every_case_has_a_number_of_its_face_its_probe_and_its_place():
-    spec = collected(
-        poses=(((0.0, 0.0, 0.0), (0.0, 0.0, 90.0)), ((0.0, 0.0, 0.0),))
-    )
+    spec = collected(poses=(((0.0, 0.0, 0.0), (0.0, 0.0, 90.0)), ((0.0, 0.0, 0.0),)))
     count = len(contact_grid(spec))
     for face in (1, 3):
         cases = paper_cases(spec, face)

@@ -12,7 +12,9 @@ from fem.mesh.quality import mesh_quality, require_quality
 from fem.mesh.surfaces import sealed_body_surface
 from fem.mesh.tetrahedra import tetrahedralize
 
-KEYS = {"core": {"keys": {"positions_mm": [[11.0, 11.3], [-11.5, 11.0]], "size_mm": [2.0, 3.0, 1.5]}}}
+KEYS = {
+    "core": {"keys": {"positions_mm": [[11.0, 11.3], [-11.5, 11.0]], "size_mm": [2.0, 3.0, 1.5]}}
+}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}
 
 
