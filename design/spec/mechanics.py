@@ -146,9 +146,10 @@ class IndenterSpec(SpecPart):
     specification's file also the path of its STL), its lowest point down. The edges of flat and
     cuboid are rounded by `fillet_mm`. `turn_deg` turns the indenter about the face's normal, then
     about the face's x, then about its y; the place pressed is where its lowest point lands, of flat
-    and cuboid the middle of the underside. Rigid, or with a soft pad bonded to it: `pad` is its thickness (mm), Young's modulus (MPa) and Poisson's ratio.
-    `direction_deg` is how far its path leans from the inward normal towards x and y: at depth d it
-    has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart (left
+    and cuboid the middle of the underside. Rigid, or with a soft pad bonded to it: `pad` is its
+    thickness (mm), Young's modulus (MPa) and Poisson's ratio. `direction_deg` is how far its path
+    leans from the inward normal towards x and y: at depth d it has moved sideways by d tan of them. A
+    probe has `tip_count` tips, `tip_spacing_mm` apart (left
     out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
     """
 
