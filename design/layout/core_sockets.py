@@ -217,7 +217,7 @@ def room_mm(
 ) -> Float[np.ndarray, "way"]:
     """Silicone left next to each pin beyond the least, less what speaks against the place; −∞: no room."""
     share = np.linspace(0, 1, _STEPS)
-    reach = spec.printer.mould_wall_mm + OUT_MM
+    reach = spec.mould.wall_mm + OUT_MM
     outer = ways.points_at(-depth_mm[:, None] + share * (depth_mm + reach)[:, None])
     length = np.linalg.norm(ways.start_mm - ways.end_mm, axis=1) - depth_mm
     within = ways.points_at(-depth_mm[:, None] - share * length[:, None])
@@ -252,7 +252,7 @@ def room_mm(
 
 def off_pour(spec: ObjectSpec, ways: Ways, radius_mm: float) -> np.ndarray:
     """Clear of the pouring hole, which is where a closed mould's corner is highest."""
-    needed = radius_mm + spec.mould.pour_mm / 2 + 2 * spec.printer.mould_wall_mm
+    needed = radius_mm + spec.mould.pour_mm / 2 + 2 * spec.mould.wall_mm
     high = ways.start_mm @ up(spec)
     corner = float(np.max(high))
     across = ways.start_mm - high[:, None] * up(spec)

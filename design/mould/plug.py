@@ -65,7 +65,7 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
 
 def pour_width_mm(spec: ObjectSpec) -> float:
     """Width of what silicone is poured through: a slot next to the flange, a hole, the open side."""
-    frame, wall = mould_frame(spec), spec.printer.mould_wall_mm
+    frame, wall = mould_frame(spec), spec.mould.wall_mm
     if frame.opening != "open":
         return spec.mould.pour_mm
     ends = frame.low_mm[:2] + wall, frame.high_mm[:2] - wall

@@ -38,7 +38,7 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     left, right = flange_span_mm(spec)
     wall = float(frame.high_mm[1])
     (start, end), inner = clip_mm(spec), grip_half_mm(frame)
-    bridge = wall - spec.printer.mould_wall_mm - play
+    bridge = wall - spec.mould.wall_mm - play
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
     solids: list[cq.Shape] = [
         _box(frame, (left, right), (-bridge, bridge), (rim, seat)),
@@ -58,7 +58,7 @@ def tabs(spec: ObjectSpec) -> list[cq.Solid]:
     if not frame.plugged:
         return []
     (left, right), gap = flange_span_mm(spec), 2 * spec.printer.clearance_mm
-    wall, end = spec.printer.mould_wall_mm, float(frame.high_mm[1])
+    wall, end = spec.mould.wall_mm, float(frame.high_mm[1])
     low, high = frame.rim_mm - OVERSHOOT_MM, frame.rim_mm + POST_HEIGHT_MM
     corners = frame.low_mm[0], frame.high_mm[0]
     if mould_style(spec) == "split":  # the seam parts corners

@@ -21,10 +21,6 @@ Thickness = Annotated[float, Field(ge=0.1, le=100)]
 Bed = Annotated[float, Field(ge=20, le=5000)]
 
 
-MOULD_WALL_MM = 1.5
-"""Walls of a mould, where the printer makes no thicker ones: the authors' STL files have it."""
-
-
 class MouldSpec(SpecPart):
     """The mould that the shell is cast in.
 
@@ -33,13 +29,13 @@ class MouldSpec(SpecPart):
     along their own axes (bosses that point along the pull stay on their half). Left out, the style
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
     out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
-    Walls are `MOULD_WALL_MM` thick, or as thick as the printer's; `printer.clearance_mm` is left
-    between parts that slide. A closed mould is poured through a hole of `pour_mm`; vents of
-    `printer.hole_mm` stand where air would be caught. Walls that shape silicone have the draft of the
-    object's own; pins and rods are straight.
+    `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
+    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. Walls that shape
+    silicone have the draft of the object's own; pins and rods are straight.
     """
 
     style: Literal["one-piece", "split"] | None = None
+    wall_mm: Thickness = 1.5
     parting_azimuth_deg: Angle | None = None
     pour_mm: Thickness = 6.0
 
@@ -58,11 +54,6 @@ class PrinterSpec(SpecPart):
     wall_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
-
-    @property
-    def mould_wall_mm(self) -> float:
-        """Walls of a mould."""
-        return max(MOULD_WALL_MM, self.wall_mm)
 
     @property
     def process_figures(self) -> Printer:

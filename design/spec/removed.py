@@ -59,7 +59,6 @@ REMOVED = {
     "mould.play_mm": "sliding parts have printer.clearance_mm between them",
     "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
     "mould.vent_mm": "vents are as wide as printer.hole_mm",
-    "mould.wall_mm": "walls of moulds are 1.5 mm thick, or as thick as printer.wall_mm",
     "printer.aspect": "it is that of printer.process",
     "printer.density_g_per_cm3": "it is that of printer.process",
     "printer.draft_deg": "it is that of printer.process",

@@ -141,6 +141,7 @@ EDITS: tuple[tuple[Edit, tuple[str, ...]], ...] = (
     (_between("core.wire_hole_side_diameter_mm", 1.5, 5.0), KINDS),
     (_between("core.recess_depth_mm", 2.9, 4.0), KINDS),
     (_between("mould.parting_azimuth_deg", 0.0, 180.0), KINDS),
+    (_between("mould.wall_mm", 1.2, 4.0), KINDS),
     (_set("mould.style", "split"), KINDS),
     (_set("printer.name", "resin", "sls", "fdm-0.25"), KINDS),
     (_set("magnets.shape", "block"), KINDS),

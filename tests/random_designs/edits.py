@@ -98,6 +98,7 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("body.inside", _one_of("core", "silicone", "air"), ("dome",)),
     ("arrangement", _one_of("sensors-in-shell"), ("box",)),
     ("mould.style", _one_of("split", "one-piece"), KINDS),
+    ("mould.wall_mm", _times(0.6, 3.5), KINDS),
     ("mould.parting_azimuth_deg", _from(-180.0, 180.0), KINDS),
     ("mould.pour_mm", _from(2.5, 12.0), KINDS),
     ("printer.name", _one_of("fdm-0.25", "resin", "sls"), KINDS),

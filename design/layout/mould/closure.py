@@ -30,7 +30,7 @@ def flange_span_mm(spec: ObjectSpec) -> tuple[float, float]:
     """Ends of the flange across the mould: over the plug's edges, but within the silicone's box."""
     frame, bore = mould_frame(spec), body_of(spec).opening == "bore"
     over = 0.0 if bore else min(FLANGE_OVERLAP_MM, spec.shell.thickness_mm / 4)
-    wall = spec.printer.mould_wall_mm
+    wall = spec.mould.wall_mm
     left = max(frame.plug_mm[0, 0] - over, frame.low_mm[0] + wall)
     right = min(frame.plug_mm[1, 0] + over, frame.high_mm[0] - wall)
     return float(left), float(right)
@@ -53,7 +53,7 @@ def flange_corners_mm(
     left, right = flange_span_mm(spec)
     start, end = clip_mm(spec)
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
-    inner = start - 2 * spec.printer.clearance_mm - spec.printer.mould_wall_mm
+    inner = start - 2 * spec.printer.clearance_mm - spec.mould.wall_mm
     boxes = [
         ((left, start, rim), (right, end, top)),
         ((left, -end, rim), (right, -start, top)),

@@ -124,7 +124,7 @@ def mould_frame(spec: ObjectSpec) -> MouldFrame:
     x, y = (axis for axis in np.eye(3) if abs(axis @ out) < 0.5)
     across, length_axis = (y, x) if _open_ends(spec, x) > _open_ends(spec, y) else (x, y)
     low, high = envelope_corners_mm(spec)
-    wall = spec.printer.mould_wall_mm
+    wall = spec.mould.wall_mm
     axes = np.column_stack([across, length_axis, out])
     ends = np.sort(axes.T @ np.column_stack([low, high]), axis=1)
     # An open side has no wall: the plug closes it.

@@ -254,7 +254,7 @@ def along_pull(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> bool:
 def pin_of(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, rise: float = 0.0) -> Pin:
     """Its rim is left to `common_rim_mm`; by `rise` the surface rises next to it, per mm."""
     radius = pocket.outline.radius_mm + PIN_HEAD_RIM_MM
-    seat = spec.printer.mould_wall_mm + rise * radius
+    seat = spec.mould.wall_mm + rise * radius
     rim = radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     start = frame.to_object(rim + np.append(pocket.body.centre_mm[:2], 0.0))
     leaves = max(exit_mm(spec, point, frame.normal) for point in start)

@@ -86,7 +86,7 @@ def hole_from(
 
 def far_mm(spec: ObjectSpec) -> float:
     """A length that leaves the mould from anywhere in it."""
-    return 3 * max(spec.body.size_mm) + flange_width_mm(spec) + spec.printer.mould_wall_mm
+    return 3 * max(spec.body.size_mm) + flange_width_mm(spec) + spec.mould.wall_mm
 
 
 def pour_holes(

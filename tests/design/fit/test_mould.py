@@ -71,7 +71,7 @@ def test_a_flange_is_two_clips_a_bar_over_the_walls_and_a_bridge_between_them():
     """Of a rod of 12 mm: clips 2.5 mm thick outside walls at 27 mm, of 0.1 mm of play, the rim at 27."""
     spec = ball(8.0)
     frame = mould_frame(spec)
-    assert frame.rim_mm == frame.high_mm[1] == pytest.approx(25 + spec.printer.mould_wall_mm)
+    assert frame.rim_mm == frame.high_mm[1] == pytest.approx(25 + spec.mould.wall_mm)
     wall = frame.rim_mm
     local = [
         np.sort(frame.axes.T @ np.column_stack(corners), axis=1)
@@ -81,7 +81,7 @@ def test_a_flange_is_two_clips_a_bar_over_the_walls_and_a_bridge_between_them():
     mirrored, bar, bridge = ends.copy(), ends.copy(), ends.copy()
     mirrored[1] = -ends[1, ::-1]
     bar[1:] = [-wall - 2.5, wall + 2.5], [wall + 2, wall + 10]
-    inside = wall - spec.printer.mould_wall_mm - 0.1
+    inside = wall - spec.mould.wall_mm - 0.1
     bridge[1] = -inside, inside
     for found, wanted in zip(local, (ends, mirrored, bar, bridge), strict=True):
         assert found == pytest.approx(wanted)

@@ -199,8 +199,8 @@ def test_room_beside_a_pin_is_left_as_far_as_it_reaches_out_of_the_mould():
     x, y, z = frame.to_object(np.append(pocket.body.centre_mm[:2], 0.0)) + np.array(
         [3.0, -3 * 3**0.5, 0]
     )
-    end = axis_in_object_mm(frame, pocket)[1, 2] + spec.printer.mould_wall_mm + OUT_MM
-    assert end > z + spec.printer.mould_wall_mm
+    end = axis_in_object_mm(frame, pocket)[1, 2] + spec.mould.wall_mm + OUT_MM
+    assert end > z + spec.mould.wall_mm
     depth = np.array([spec.shell.thickness_mm])
     seam = max(1 - (abs(x + y) / np.sqrt(2) - 2.0) / 8.0, 0)
     for above in (-3.0, 0.0, 3.0, 4.0):
@@ -248,7 +248,7 @@ def test_pins_keep_off_the_corner_that_silicone_is_poured_in_by():
     way = up(spec)
     side = np.cross(way, [1.0, 0.0, 0.0] if abs(way[0]) < 0.9 else [0.0, 1.0, 0.0])
     side /= np.linalg.norm(side)
-    needed = 2.0 + spec.mould.pour_mm / 2 + 2 * spec.printer.mould_wall_mm
+    needed = 2.0 + spec.mould.pour_mm / 2 + 2 * spec.mould.wall_mm
     shifts = [0.0, needed - 0.01, needed + 0.01, 0.0, 0.0]
     heights = [20.0, 20.0, 20.0, 9.9, 10.1]
     start = np.array([h * way + s * side for h, s in zip(heights, shifts, strict=True)])

@@ -62,7 +62,7 @@ OBJECTS = {
         _OBLONG | {"open_faces": [5, 6]},
         magnets={"positions_mm": _OWN_LISTS},
         shell=_SLITS,
-        mould={"style": "split"},
+        mould={"style": "split", "wall_mm": 2.2},
         printer={"clearance_mm": 0.15},
     ),
     "closed box": _object(_OBLONG | {"open_faces": []}, shell={"seal_layer_mm": 0.5}),

@@ -60,7 +60,7 @@ def test_heads_rest_a_wall_above_the_surface_and_reach_out_of_the_block_in_whole
     plain = [pin for pin in loose_pins(spec) if pin.locator is None]
     assert 0 < len(plain) <= pockets
     for pin in plain:
-        assert pin.seat_mm == spec.printer.mould_wall_mm
+        assert pin.seat_mm == spec.mould.wall_mm
         sunk = pin.top_mm - pin.seat_mm - PIN_HEAD_MM
         assert sunk == pytest.approx(round(sunk))
         assert sunk >= 0
@@ -147,9 +147,9 @@ def test_a_head_ends_out_of_the_block_where_its_rim_is_deepest_in_it(monkeypatch
     pin = pins.pin_of(spec, frame, pocket, 0.5)
     radius = pocket.outline.radius_mm + 1.5
     highest = 7.0 + np.array(PLACES[1]) @ lean + radius * np.max(np.abs(lean))
-    assert pin.seat_mm == pytest.approx(spec.printer.mould_wall_mm + 0.5 * radius)
+    assert pin.seat_mm == pytest.approx(spec.mould.wall_mm + 0.5 * radius)
     assert pin.top_mm - PIN_HEAD_MM == pytest.approx(max(highest, pin.seat_mm), abs=2e-3)
-    assert highest > spec.printer.mould_wall_mm
+    assert highest > spec.mould.wall_mm
 
 
 def test_a_locating_pin_forms_the_outer_half_of_its_hole():
