@@ -61,8 +61,8 @@ def score_designs(
     return result
 
 
-def jaw_rows(run: Run) -> list[dict[str, float]]:
-    """Bounds of a flat jaw over each face at `score.force_n`, and the medians of tips on that face."""
+def jaw_rows(run: Run) -> list[dict[str, Any]]:
+    """Bounds of flat jaws at `score.force_n`: one over each face, two on opposed faces; and of tips."""
     from estimator.information.jaws import jaw_bounds
     from fem.presses.jaws import jaw_faces
 
@@ -73,6 +73,7 @@ def jaw_rows(run: Run) -> list[dict[str, float]]:
         rows.append(
             {
                 "face": jaw.face,
+                "against": jaw.against,
                 "σ force N": jaw.force_bound_n,
                 "of tips N": float(np.median(scores.force_bound_n[index, tips])),
                 "σ centre mm": jaw.centre_bound_mm,

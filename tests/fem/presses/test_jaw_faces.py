@@ -74,3 +74,34 @@ def test_bounds_are_those_of_the_information_of_tilted_presses(jaw, rigid_spec, 
         found = [getattr(bounds, name.format(suffix)) for name in names]
         # the tilted jaw has other cells: that alone is 3 %
         assert_allclose(found, expected, rtol=0.06)
+
+
+def test_bounds_of_two_opposed_jaws_are_no_smaller_than_of_each_alone(rigid_spec, rigid_response):
+    """More unknowns never bring information; faces without an opposed one have no pair."""
+    alone = {3: {}, 5: {}, 1: {}}
+    pairs = []
+    for bounds in jaw_bounds(rigid_spec, jaw_faces(rigid_spec, rigid_response, [1, 3, 5])):
+        if bounds.against is None:
+            alone[bounds.face] = bounds
+        else:
+            pairs.append(bounds)
+    assert [(pair.face, pair.against) for pair in pairs] == [(3, 5), (5, 3)]
+    for pair in pairs:
+        for name in ("force_bound_n", "centre_bound_mm", "tilt_bound_deg"):
+            more, least = getattr(pair, name), getattr(alone[pair.face], name)
+            assert least * (1 - 1e-9) <= more < np.inf, name
+
+
+def test_motions_of_two_opposed_jaws_of_known_force_add_up(jaw, rigid_spec, rigid_response):
+    """Together they are stiffer by a tenth; at the forces that they bear, motions add up within 5 %."""
+    other = jaw_faces(rigid_spec, rigid_response, [5])[0]
+    flat = rigid_spec.changed(indenter=IndenterSpec(kind="cuboid", size_mm=(63.0, 63.0)))
+    tips = [Tip(3, 0.0, 0.0), Tip(5, 0.0, 0.0)]
+    together = press_tips(flat, rigid_response, tips, np.full(2, 0.6))
+    pressed = [face.press(np.zeros(2)) for face in (jaw, other)]
+    summed = sum(
+        motion / force * bears
+        for (force, _, motion), bears in zip(pressed, together.force_n, strict=True)
+    )
+    largest = abs(together.motion[:, :3]).max()
+    assert_allclose(summed[:, :3], together.motion[:, :3], rtol=0, atol=0.05 * largest)
