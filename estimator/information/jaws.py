@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -62,33 +63,49 @@ def jaw_bounds(spec: ObjectSpec, jaws: Sequence[JawFace]) -> tuple[JawBounds, ..
     paper's cube that is wrong by up to 5 % of the largest motion at known forces.
     """
     normal = {frame.number: np.asarray(frame.normal) for frame in face_frames(spec)}
-    alone = [(jaw,) for jaw in jaws]
+    pressed = [_jaw_at_force(jaw, spec.score.force_n) for jaw in jaws]
+    alone = [(jaw,) for jaw in pressed]
     # normals of opposed faces are each other's negative
     pairs = [
         pair
-        for pair in combinations(jaws, 2)
+        for pair in combinations(pressed, 2)
         if normal[pair[0].face] @ normal[pair[1].face] < -0.99
     ]
     return tuple(bounds for group in (*alone, *pairs) for bounds in _bounds_of(spec, group))
 
 
-def _bounds_of(spec: ObjectSpec, group: Sequence[JawFace]) -> list[JawBounds]:
+class _JawAtForce(NamedTuple):
+    """A jaw at a force, and the ends of its central differences: each pose up, then each down.
+
+    `level` and `ends` (6) are motions of the magnets; `functions` (5, pose) the derivatives of force,
+    centre and tilts by the pose.
+    """
+
+    face: int
+    depth_mm: float
+    level: Float[np.ndarray, "magnet 6"]
+    ends: Float[np.ndarray, "end magnet 6"]
+    functions: Float[np.ndarray, "5 3"]
+
+
+def _jaw_at_force(jaw: JawFace, force_n: float) -> _JawAtForce:
+    depth = force_n / jaw.press(np.zeros(2))[0]
+    poses = depth * np.vstack([side * _STEP * np.eye(3) for side in (1, -1)])
+    poses[:, 0] += depth
+    level = _pressed(jaw, np.array([depth, 0.0, 0.0]))[2]
+    pressed = [_pressed(jaw, pose) for pose in poses]
+    felt = np.array([[force, *centre] for force, centre, _ in pressed])
+    by_pose = (felt[:3] - felt[3:]).T / (2 * _STEP * depth)
+    # a gained depth over half an edge is the tangent of the tilt
+    by_tilt = np.degrees(np.hstack([np.zeros((2, 1)), np.diag(1 / jaw.half_mm)]))
+    ends = np.stack([motion for *_, motion in pressed])
+    return _JawAtForce(jaw.face, float(depth), level, ends, np.vstack([by_pose, by_tilt]))
+
+
+def _bounds_of(spec: ObjectSpec, group: Sequence[_JawAtForce]) -> list[JawBounds]:
     """Bounds of jaws that press at once, each at `score.force_n`."""
-    depths = [spec.score.force_n / jaw.press(np.zeros(2))[0] for jaw in group]
-    level = [
-        _pressed(jaw, depth * np.eye(3)[0])[2] for jaw, depth in zip(group, depths, strict=True)
-    ]
-    motions, functions = [], []
-    for number, (jaw, depth) in enumerate(zip(group, depths, strict=True)):
-        ends = depth * np.vstack([side * _STEP * np.eye(3) for side in (1, -1)])
-        ends[:, 0] += depth
-        pressed = [_pressed(jaw, pose) for pose in ends]
-        motions.append(sum(level) - level[number] + np.stack([motion for *_, motion in pressed]))
-        felt = np.array([[force, *centre] for force, centre, _ in pressed])
-        by_pose = (felt[:3] - felt[3:]).T / (2 * _STEP * depth)
-        # a gained depth over half an edge is the tangent of the tilt
-        by_tilt = np.degrees(np.hstack([np.zeros((2, 1)), np.diag(1 / jaw.half_mm)]))
-        functions.append(np.vstack([by_pose, by_tilt]))
+    motions = [sum(jaw.level for jaw in group) - jaw.level + jaw.ends for jaw in group]
+    depths = [jaw.depth_mm for jaw in group]
     signals = signals_of_motions(spec, np.concatenate(motions))
     change = signals.delta_counts[0, 0].reshape(len(group), 2, 3, -1)
     # columns: central differences by depth and the two gained depths of each jaw in turn
@@ -97,13 +114,12 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[JawFace]) -> list[JawBounds]:
     middle = change[0].mean((0, 1))[None]
     slopes = slopes * live_in_press(spec, signals.baseline_counts, middle)[..., None]
     used = np.unique(np.concatenate([read_channels(spec, signals, jaw.face) for jaw in group]))
+    functions = np.asarray(block_diag(*(jaw.functions for jaw in group)))
     nuisances, columns = nuisance_columns(spec), {}
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, change.shape[-1])[used]
         white = whitened_slopes(slopes[:, used], sigma, nuisances[used])[0]
-        force, x, y, *tilts = (
-            _deviations(white, np.asarray(block_diag(*functions))).reshape(-1, 5).T
-        )
+        force, x, y, *tilts = _deviations(white, functions).reshape(-1, 5).T
         columns[f"force_bound{suffix}_n"] = force
         columns[f"centre_bound{suffix}_mm"] = np.hypot(x, y)
         columns[f"tilt_bound{suffix}_deg"] = np.hypot(*tilts)
@@ -112,7 +128,7 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[JawFace]) -> list[JawBounds]:
         JawBounds(
             face,
             faces[1 - number] if len(faces) == 2 else None,
-            float(depths[number]),
+            depths[number],
             **{name: float(column[number]) for name, column in columns.items()},
         )
         for number, face in enumerate(faces)

@@ -127,9 +127,7 @@ def generic_signals(
     RecordingError
         As `generic_table`.
     """
-    header = [cell.strip() for cell in rows[0]]
-    check_header(header, labelled=False)
-    column = _columns(rows, header, missing)
+    column = _unlabelled_columns(rows, missing)
     check_complete(column["time_s"][:, None], ["time_s"])
     return column["time_s"], counts_of_column(column, len(column["time_s"]))
 
@@ -144,11 +142,17 @@ def generic_motion(
     RecordingError
         As `generic_table`.
     """
-    header = [cell.strip() for cell in rows[0]]
-    check_header(header, labelled=False)
-    column = _columns(rows, header, missing)
+    column = _unlabelled_columns(rows, missing)
     motion = motion_of(column)
     return None if motion is None else (column["time_s"], motion)
+
+
+def _unlabelled_columns(
+    rows: list[list[str]], missing: float | None
+) -> dict[str, Float[np.ndarray, "frame"]]:
+    header = [cell.strip() for cell in rows[0]]
+    check_header(header, labelled=False)
+    return _columns(rows, header, missing)
 
 
 def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:

@@ -21,16 +21,16 @@ def test_the_weight_is_followed_through_a_turn_that_shakes():
     time_s, motion, down = turned((0.8, 1.2, -0.6), 2.0)
     shaken = (time_s > 0.3) & (time_s < 1.7)
     motion[shaken, 0] += 4.0 * np.sign(np.sin(20 * time_s[shaken])) + 12.0
-    found = recorded_motion(time_s, motion)
-    error_deg = np.degrees(np.arccos(np.clip(np.sum(found.down * down, axis=1), -1, 1)))
+    recorded = recorded_motion(time_s, motion)
+    error_deg = np.degrees(np.arccos(np.clip(np.sum(recorded.down * down, axis=1), -1, 1)))
     assert error_deg.max() < 3.0
 
 
 def test_a_wrong_start_is_forgotten_and_a_biased_rate_does_not_run_away():
     time_s, motion, _ = turned((0.0, 0.0, 0.0), 60.0, 20.0)
     motion[:, 3] += 0.02
-    found = recorded_motion(time_s, motion)
-    assert np.degrees(np.arccos(-found.down[-1, 2])) < 2.0  # 69 degrees by the rate alone
+    recorded = recorded_motion(time_s, motion)
+    assert np.degrees(np.arccos(-recorded.down[-1, 2])) < 2.0  # 69 degrees by the rate alone
 
 
 def test_jolts_are_specific_force_off_gravity_and_silence_stays_unknown():
@@ -38,11 +38,11 @@ def test_jolts_are_specific_force_off_gravity_and_silence_stays_unknown():
     motion[40:50, :3] = 0.0  # falls
     motion[50, :3] = (0.0, 0.0, 60.0)  # lands
     motion[:10] = np.nan
-    found = recorded_motion(time_s, motion)
-    assert np.isnan(found.down[:10]).all()
-    assert found.jolt_m_s2[45] == pytest.approx(GRAVITY_M_S2)
-    assert found.jolt_m_s2[50] == pytest.approx(60 - GRAVITY_M_S2)
-    assert "50.2 m/s² beyond gravity at 0.5 s" in found.text
+    recorded = recorded_motion(time_s, motion)
+    assert np.isnan(recorded.down[:10]).all()
+    assert recorded.jolt_m_s2[45] == pytest.approx(GRAVITY_M_S2)
+    assert recorded.jolt_m_s2[50] == pytest.approx(60 - GRAVITY_M_S2)
+    assert "50.2 m/s² beyond gravity at 0.5 s" in recorded.text
 
 
 def test_a_recording_without_labels_gives_its_motion(tmp_path):
@@ -52,7 +52,7 @@ def test_a_recording_without_labels_gives_its_motion(tmp_path):
     rows += [",".join(map(str, [t, 5, *m])) for t, m in zip(time_s, motion, strict=True)]
     path = tmp_path / "grasp.csv"
     path.write_text("\n".join(rows) + "\n")
-    found = read_motion(path)
-    np.testing.assert_allclose(found.down[-1], (0, 0, -1), atol=1e-6)
+    recorded = read_motion(path)
+    np.testing.assert_allclose(recorded.down[-1], (0, 0, -1), atol=1e-6)
     path.write_text("time_s,F1-X1\n0,1\n0.1,2\n")
     assert read_motion(path) is None
