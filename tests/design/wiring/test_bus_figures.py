@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from design.catalogue.bus_parts import MEGA2560, PICO, TLE493D, TMAG5273, bus_chip
+from design.catalogue.bus_parts import IMUS, MEGA2560, PICO, TLE493D, TMAG5273, bus_chip
 from design.catalogue.orders import BTA_ADAPTER, HX711, LOAD_CELL, RESISTOR, VERNIER
 from design.spec.load_cell import LoadCellSpec
 from design.spec.object import ObjectSpec
@@ -122,25 +122,30 @@ def test_an_hx711_draws_from_the_pico_s_rail_and_not_from_its_outputs():
 
 
 @pytest.mark.parametrize(
-    ("board", "supply", "load", "most", "source"),
+    ("board", "supply", "load", "imu", "most", "source"),
     [
-        (MEGA2560, "D22", None, 21, "3.3 V pin gives 50 mA"),
-        (MEGA2560, None, None, 21, "3.3 V pin gives 50 mA"),
-        (MEGA2560, None, "hx711", 21, "3.3 V pin gives 50 mA"),
-        (PICO, "GP8", None, 21, "outputs give 50 mA"),
-        (PICO, "GP8", "hx711", 21, "outputs give 50 mA"),
-        (PICO, None, None, 130, "3.3 V pin gives 300 mA"),
-        (PICO, None, "hx711", 127, "3.3 V pin gives 300 mA"),
+        (MEGA2560, "D22", None, None, 21, "3.3 V pin gives 50 mA"),
+        (MEGA2560, None, None, None, 21, "3.3 V pin gives 50 mA"),
+        (MEGA2560, None, "hx711", None, 21, "3.3 V pin gives 50 mA"),
+        (PICO, "GP8", None, None, 21, "outputs give 50 mA"),
+        (PICO, "GP8", "hx711", None, 21, "outputs give 50 mA"),
+        (PICO, None, None, None, 130, "3.3 V pin gives 300 mA"),
+        (PICO, None, "hx711", None, 127, "3.3 V pin gives 300 mA"),
+        (PICO, None, None, "LSM6DS3", 129, "3.3 V pin gives 300 mA"),
+        (PICO, "GP8", None, "LSM6DS3", 21, "outputs give 50 mA"),
+        (MEGA2560, "D22", None, "LSM6DS3", 21, "3.3 V pin gives 50 mA"),
     ],
 )
-def test_chips_draw_no_more_than_what_powers_them_gives(board, supply, load, most, source):
+def test_chips_draw_no_more_than_what_powers_them_gives(board, supply, load, imu, most, source):
     """2.3 mA each: a Pico's outputs power chips that are started one by one, a Mega's only switch
-    buffers on its 3.3 V pin; an HX711's 6.5 mA come from a Pico's 3.3 V or from a Mega's 5 V."""
+    buffers on its 3.3 V pin; an HX711's 6.5 mA come from a Pico's 3.3 V or from a Mega's 5 V, an
+    IMU's 1.25 mA from either's 3.3 V."""
     cell = None if load is None else LoadCellPlan(load, ("a", "b"), 80.0)
+    imu_part = None if imu is None else IMUS[imu]
     chip = ChipOnBus(1, 1, "TMAG5273A1", "order code", 0x35, 0x35, 0, 100.0, supply=supply)
-    require_current([chip] * most, TMAG5273, board, cell)
+    require_current([chip] * most, TMAG5273, board, cell, imu_part)
     with pytest.raises(CannotError, match=f"{most + 1} chips draw .* {source}"):
-        require_current([chip] * (most + 1), TMAG5273, board, cell)
+        require_current([chip] * (most + 1), TMAG5273, board, cell, imu_part)
 
 
 def test_a_force_sensor_is_wired_through_a_divider_where_the_board_bears_less_than_its_5_v():
