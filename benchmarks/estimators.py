@@ -47,9 +47,9 @@ def made_frames(quick: bool) -> FrameSet:
     """Simulated calibration presses of one face (full: 143 000 frames, as the paper's)."""
     grid = {"count": (4, 4), "pitch_mm": 6.0} if quick else {}
     protocol = (
-        {"presses_per_place": 4, "frames_per_press": 12, "rest_frames_per_press": 4}
+        {"presses_per_place": 4, "frames_per_press": (4, 12)}
         if quick
-        else {"presses_per_place": 26, "frames_per_press": 44, "rest_frames_per_press": 11}
+        else {"presses_per_place": 26, "frames_per_press": (11, 44)}
     )
     protocol["peak_force_n"] = (6.0, 13.0)
     spec = ObjectSpec.model_validate(

@@ -34,14 +34,14 @@ CASES: dict[str, tuple[dict[str, Any], float]] = {
     "jaw over the whole face": (JAW, 0.0),
     "jaw hanging over by half": (JAW, 30.0),
     "jaw 24 mm wide inside the face": (JAW | SMALL, 0.0),
-    "jaw tilted by 2°": (JAW | {"tilt_deg": (0.0, 2.0)}, 0.0),
+    "jaw tilted by 2°": (JAW | {"turn_deg": (0.0, 0.0, 2.0)}, 0.0),
     "pad, ν 0.3": (JAW | {"pad": (3.0, 1.0, 0.3)}, 0.0),
     "pad, ν 0.45": (JAW | {"pad": (3.0, 1.0, 0.45)}, 0.0),
     "pad, ν 0.495": (JAW | {"pad": (3.0, 1.0, 0.495)}, 0.0),
     "pad 24 mm wide, ν 0.3": (JAW | SMALL | {"pad": (3.0, 1.0, 0.3)}, 0.0),
     "pad 24 mm wide, ν 0.45": (JAW | SMALL | {"pad": (3.0, 1.0, 0.45)}, 0.0),
     "cylinder across": (
-        {"kind": "cylinder", "radius_mm": 8.0, "size_mm": (80.0, 10.0), "yaw_deg": 90.0}, 0.0
+        {"kind": "cylinder", "radius_mm": 8.0, "size_mm": (80.0, 10.0), "turn_deg": (90.0, 0.0, 0.0)}, 0.0
     ),
     "cylinder along, over the border": (
         {"kind": "cylinder", "radius_mm": 8.0, "size_mm": (40.0, 10.0)}, 15.0
@@ -126,7 +126,7 @@ def pressed_mm(body: str, indenter: dict[str, Any], x_mm: float) -> tuple[float,
             wide = np.array(indenter["size_mm"]) / 2 * section
         else:
             wide = np.array([indenter["size_mm"][0] / 2, radius * section])
-            wide = wide[::-1] if indenter.get("yaw_deg") else wide
+            wide = wide[::-1] if indenter.get("turn_deg", (0.0,))[0] else wide
     ends = np.clip([x_mm - wide[0], x_mm + wide[0]], -half[0], half[0])
     return float(ends[0]), float(ends[1]), float(min(wide[1], half[1]))
 
@@ -216,13 +216,13 @@ def gap_of(indenter: dict[str, Any], x_mm: float, low_mm: float) -> Any:
     ng: Any = import_module("ngsolve")
     x, y, kind = ng.x - x_mm, ng.y, indenter["kind"]
     if kind == "cuboid":
-        angle = np.radians(indenter.get("tilt_deg", (0.0, 0.0))[1])
+        angle = np.radians(indenter.get("turn_deg", (0.0, 0.0, 0.0))[2])
         far = x_mm + indenter["size_mm"][0] / 2 * np.cos(angle)
         first = min(far, HALF_NOW[0])  # positive tilts take +x down
         return (first - ng.x) * float(np.tan(angle))
     radius = indenter["radius_mm"]
     if kind == "cylinder":
-        across = x if indenter.get("yaw_deg") else y
+        across = x if indenter.get("turn_deg", (0.0,))[0] else y
         square = 1 - across**2 / radius**2
     else:
         a, b = (edge / 2 for edge in indenter["size_mm"])
@@ -334,7 +334,7 @@ def case_errors(spec: Any, response: Any, x_mm: float, wanted: dict[str, Any]) -
 
 DRAWN: dict[str, tuple[dict[str, Any], float]] = {
     "jaw of 60 mm": (JAW, 0.0),
-    "tilted by 2°": (JAW | {"tilt_deg": (0.0, 2.0)}, 0.0),
+    "tilted by 2°": (JAW | {"turn_deg": (0.0, 0.0, 2.0)}, 0.0),
     "half over the border": (JAW, 30.0),
     "pad of 3 mm, 1 MPa": (JAW | {"pad": (3.0, 1.0, 0.3)}, 0.0),
     "cylinder, R 8 mm": CASES["cylinder along, over the border"],

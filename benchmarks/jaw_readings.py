@@ -90,7 +90,7 @@ def _pressed(
     spec: ObjectSpec, response: ResponseOperator, tilt_deg: tuple[float, float], force_n: float
 ) -> JointPress:
     """Two jaws at the depth at which they bear about a force."""
-    jaw = IndenterSpec(kind="cuboid", size_mm=(_WIDER_MM, _WIDER_MM), tilt_deg=tilt_deg)
+    jaw = IndenterSpec(kind="cuboid", size_mm=(_WIDER_MM, _WIDER_MM), turn_deg=(0.0, *tilt_deg))
     tips, depth = [Tip(face, 0.0, 0.0) for face in FACES], 0.3
     for _ in range(_SECANTS):
         press = press_tips(spec.changed(indenter=jaw), response, tips, np.full(2, depth))

@@ -57,7 +57,6 @@ COARSE = [
     "mesh.surface_edge_mm=3.5",
     "mesh.edge_mm=8.0",
     "mesh.rim_edge_ratio=1.0",
-    "mesh.magnet_sides=8",
     "contact_grid.count=[4, 4]",
     "contact_grid.pitch_mm=6.0",
     "press.depths_mm=[1.0, 2.0, 4.0]",

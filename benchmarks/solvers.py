@@ -36,7 +36,7 @@ from fem.mesh.tetrahedra import load_mesh, save_mesh, tetrahedralize
 EXAMPLES = Path(__file__).parents[1] / "examples"
 BODIES = ("paper_cube", "handle", "pear", "hall_skin")
 COARSE = ("mesh.edge_mm=9", "mesh.surface_edge_mm=3.6", "mesh.rim_edge_ratio=1",
-          "mesh.magnet_sides=8", "mesh.envelope_mm=0.1")  # fmt: skip
+          "mesh.envelope_mm=0.1")  # fmt: skip
 SOLVERS = ("PARDISO", "multifrontal", "SuperLU")
 _SOLVED = 128
 AIM = 5.0

@@ -290,11 +290,11 @@ def _with_printer(content: dict[str, Any], folder: Path) -> dict[str, Any]:
 def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, Any]:
     """The indenter with the corners of its STL file, if there is one, read from `folder`."""
     indenter = content.get("indenter")
-    if not isinstance(indenter, dict) or not isinstance(indenter.get("file"), str):
+    if not isinstance(indenter, dict) or not isinstance(indenter.get("vertices_mm"), str):
         return content
     from design.layout.stl_tip import stl_tip_vertices_mm
 
-    corners = stl_tip_vertices_mm(folder / indenter["file"])
+    corners = stl_tip_vertices_mm(folder / indenter["vertices_mm"])
     return content | {"indenter": indenter | {"vertices_mm": corners}}
 
 

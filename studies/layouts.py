@@ -33,7 +33,6 @@ MESH: Changes = AS_THE_PAPER | {
 QUICK_MESH: Changes = AS_THE_PAPER | {
     "mesh.surface_edge_mm": 3.5,
     "mesh.rim_edge_ratio": 1.0,
-    "mesh.magnet_sides": 8,
     "mesh.edge_mm": 8.0,
     "contact_grid.count": [5, 5],
     "contact_grid.pitch_mm": 6.0,

@@ -95,11 +95,6 @@ def magnet_grade(name: str) -> MagnetGrade:
     return row_named(GRADES, name, "magnets.grade", otherwise)
 
 
-def typical_grade(remanence_t: float) -> str | None:
-    """The grade whose typical remanence that is, if any."""
-    return next((g.name for g in GRADES.values() if g.remanence_t == remanence_t), None)
-
-
 def remanence_at_temperature_t(remanence_t: float, temperature_c: float) -> float:
     """Remanence (T) of NdFeB at a temperature (°C), from that at 20 °C; linear and reversible."""
     rise_k = temperature_c - REFERENCE_TEMPERATURE_C

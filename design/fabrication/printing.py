@@ -113,15 +113,16 @@ def check_features(spec: ObjectSpec) -> list[Finding]:
     for key, hole in wire_holes(spec).items():
         name, least = f"wire hole, {'top' if 'top' in key else 'sides'}", printer.hole_mm
         findings.append(_feature(name, "core", hole.diameter_mm, least, f"core.{key}", hole.end_mm))
-    if width := core.wire_channel_width_mm:
-        key, channels = "core.wire_channel_width_mm", all_wire_channels(spec)
+    if width := core.wire_channel_mm[0]:
+        key, channels = "a width in core.wire_channel_mm", all_wire_channels(spec)
         place = channels[0].centre_mm if channels else None
         findings.append(_feature("wire channel", "core", width, printer.hole_mm, key, place))
     if core.keys.positions_mm:
-        narrow, name, place = min(core.keys.size_mm), "anti-slip key", core_keys(spec)[0].centre_mm
+        *edges, height = core.keys.size_mm
+        narrow, name, place = min(edges), "anti-slip key", core_keys(spec)[0].centre_mm
         findings += [
             _feature(name, "core", narrow, printer.wall_mm, "core.keys.size_mm", place),
-            _aspect(name, "core", core.keys.height_mm, narrow, spec, place, "core.keys.height_mm"),
+            _aspect(name, "core", height, narrow, spec, place, "a height in core.keys.size_mm"),
         ]
     findings += _fins(spec) if spec.shell.slits.depth_mm else []
     return findings + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])

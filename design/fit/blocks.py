@@ -36,7 +36,7 @@ def check_keys(spec: ObjectSpec) -> Iterator[str]:
             "core.keys lock the shell, so that it cannot slide on a frictionless core. Set "
             'mechanics.interface = "bonded", or leave the keys out'
         )
-    half = np.asarray(keys.size_mm) / 2
+    half = np.asarray(keys.size_mm[:2]) / 2
     beyond = [
         (frame, xy)
         for frame in core_frames(spec)
@@ -54,10 +54,10 @@ def check_keys(spec: ObjectSpec) -> Iterator[str]:
             f"{frame.number} (±{reach[0]:.4g}, ±{reach[1]:.4g} mm). Move it inwards or make "
             "core.keys.size_mm smaller"
         )
-    if keys.height_mm >= thickness:
+    if keys.size_mm[2] >= thickness:
         yield (
-            f"core.keys.height_mm must be below shell.thickness_mm = {thickness:g}; got "
-            f"{keys.height_mm:g}. Lower it"
+            f"the height of core.keys.size_mm must be below shell.thickness_mm = {thickness:g}; got "
+            f"{keys.size_mm[2]:g}. Lower it"
         )
     if not beyond:
         yield from _check_blocks(spec)
@@ -108,9 +108,9 @@ def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
             away = _line_distance_mm(key, *ends)
             if away < pocket.outline.radius_mm and _is_under(key, ends, away):
                 yield (
-                    f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
-                    f"{pocket.body.label} of face {frame.number}. Lower core.keys.height_mm, or move the "
-                    "key"
+                    f"{where} reaches {spec.core.keys.size_mm[2]:g} mm up, into the pocket of "
+                    f"{pocket.body.label} of face {frame.number}. Lower the height of core.keys.size_mm, "
+                    "or move the key"
                 )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import hypot
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def check_environment(spec: ObjectSpec) -> Iterator[str]:
 
 def _reach_mm(stray: StrayMagnetSpec) -> float:
     """Radius of the sphere about a stray magnet."""
-    return ((stray.diameter_mm / 2) ** 2 + (stray.height_mm / 2) ** 2) ** 0.5
+    return hypot(*stray.size_mm) / 2
 
 
 def _normal(plate: SteelPlateSpec) -> list[float]:

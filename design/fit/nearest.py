@@ -66,16 +66,17 @@ def nearest_bay(spec: ObjectSpec, check: Check) -> str | None:
 
 
 def nearest_keys(spec: ObjectSpec, check: Check) -> str | None:
-    """The largest keys of those proportions that work where they are."""
+    """The widest keys of those proportions and height that work where they are."""
 
     def changed(share: float) -> ObjectSpec:
         keys = spec.core.keys
-        x, y = (max(round(share * edge - 0.05, 1), 0.1) for edge in keys.size_mm)
-        return spec.changed(core=spec.core.changed(keys=keys.changed(size_mm=(x, y))))
+        x, y = (max(round(share * edge - 0.05, 1), 0.1) for edge in keys.size_mm[:2])
+        size = x, y, keys.size_mm[2]
+        return spec.changed(core=spec.core.changed(keys=keys.changed(size_mm=size)))
 
     share = _largest_share(lambda share: _is_sound(changed(share), check))
     size = list(changed(share).core.keys.size_mm)
-    has_keys = share and min(size) >= _LEAST_KEY_MM
+    has_keys = share and min(size[:2]) >= _LEAST_KEY_MM
     return f"core.keys would fit with size_mm = {size}" if has_keys else None
 
 

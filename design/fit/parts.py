@@ -110,7 +110,7 @@ def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
 
 def check_channels(spec: ObjectSpec) -> Iterator[str]:
     core = spec.core
-    if not core.wire_channel_width_mm:
+    if not core.wire_channel_mm[0]:
         return
     deepest = max(
         -channel_heights_mm(spec, frame, np.array([x, y]), 0.0)[0]
@@ -118,7 +118,7 @@ def check_channels(spec: ObjectSpec) -> Iterator[str]:
         for x, y, _ in places
     )
     if deepest >= core.wall_mm:
-        fall = deepest - core.wire_channel_depth_mm
+        fall = deepest - core.wire_channel_mm[1]
         wall_left_mm = core.wall_mm - max(fall, 0.0)
         shallower = (
             f"Make the channels less than {wall_left_mm:.3g} mm deep, "
@@ -127,8 +127,8 @@ def check_channels(spec: ObjectSpec) -> Iterator[str]:
         )
         curved = f" and {fall:.3g} mm of the curved core's fall" if fall > 0 else ""
         yield (
-            f"core.wire_channel_depth_mm{curved} must be below core.wall_mm = {core.wall_mm:g}; got "
-            f"{core.wire_channel_depth_mm:g}. {shallower}the wall thicker than {deepest:.4g} mm, or move "
+            f"the depth of core.wire_channel_mm{curved} must be below core.wall_mm = {core.wall_mm:g}; got "
+            f"{core.wire_channel_mm[1]:g}. {shallower}the wall thicker than {deepest:.4g} mm, or move "
             "the sensors inwards"
         )
 

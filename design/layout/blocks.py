@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import combinations
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,15 +47,15 @@ def _key(spec: ObjectSpec, frame: FaceFrame, xy_mm: np.ndarray) -> Block:
     keys, tangent = spec.core.keys, frame.tangent(xy_mm)
     sunk = 0.0 if frame.flat else _sunk_mm(spec, tangent, xy_mm)
     sunk += SUNK_MM
-    half = np.array([*(edge / 2 for edge in keys.size_mm), (keys.height_mm + sunk) / 2])
-    centre = tangent.to_object(np.append(xy_mm, (keys.height_mm - sunk) / 2))
+    half = np.add(keys.size_mm, (0, 0, sunk)) / 2
+    centre = tangent.to_object(np.append(xy_mm, (keys.size_mm[2] - sunk) / 2))
     return Block(centre, tangent.axes, half)
 
 
 def _sunk_mm(spec: ObjectSpec, tangent: FaceFrame, xy_mm: np.ndarray) -> float:
     """Return how deep an underside lies whose corners are all in the core."""
     signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
-    corners = xy_mm + signs * spec.core.keys.size_mm
+    corners = xy_mm + signs * spec.core.keys.size_mm[:2]
     sunk = 0.0
     for _ in range(_SINKING_STEPS):
         points = tangent.to_object(np.column_stack([corners, np.full(4, -sunk)]))
@@ -69,8 +70,7 @@ def keys_volume_mm3(spec: ObjectSpec) -> float:
     if keys.positions_mm and core is not None and not all(f.flat for f in core_frames(spec)):
         inside = manifold_of(core)
         return float(sum((block_manifold(key) - inside).volume() for key in core_keys(spec)))
-    per_key = keys.size_mm[0] * keys.size_mm[1] * keys.height_mm
-    return per_key * len(keys.positions_mm) * len(core_frames(spec))
+    return prod(keys.size_mm) * len(keys.positions_mm) * len(core_frames(spec))
 
 
 @cached_geometry

@@ -256,10 +256,10 @@ def wire_channels(
 ) -> list[Block]:
     """Channels from the wire hole in the middle of a core's face to the recesses at these places.
 
-    Their floors are level, and `core.wire_channel_depth_mm` or more below the surface all the way; they
-    end so far above it. A recess over the hole needs none.
+    Their floors are level, and the depth of `core.wire_channel_mm` or more below the surface all the
+    way; they end so far above it. A recess over the hole needs none.
     """
-    width, away = spec.core.wire_channel_width_mm, [np.array(place[:2]) for place in places]
+    width, away = spec.core.wire_channel_mm[0], [np.array(place[:2]) for place in places]
     if not width:
         return []
     return [_channel(spec, frame, xy, over_mm) for xy in away if np.hypot(*xy) > _AT_THE_HOLE_MM]
@@ -270,7 +270,7 @@ def _channel(
 ) -> Block:
     low, high = channel_heights_mm(spec, frame, xy_mm, over_mm)
     length = float(np.hypot(*xy_mm))
-    (cosine, sine), width = xy_mm / length, spec.core.wire_channel_width_mm
+    (cosine, sine), width = xy_mm / length, spec.core.wire_channel_mm[0]
     turned = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1.0]])
     centre = frame.centre_mm + frame.axes @ np.append(xy_mm / 2, (low + high) / 2)
     return Block(centre, frame.axes @ turned, np.array([length, width, high - low]) / 2)
@@ -281,9 +281,9 @@ def channel_heights_mm(
 ) -> tuple[float, float]:
     """Floor and top of a wire channel over the plane that touches the core in the middle of a face.
 
-    The floor is level, and `core.wire_channel_depth_mm` or more below the surface all the way from the
+    The floor is level, and the depth of `core.wire_channel_mm` or more below the surface all the way from the
     wire hole to a place; the top is so far above it.
     """
     way = np.linspace(0.0, 1.0, 17)[:, None] * np.asarray(xy_mm, float)
     heights = frame.relief.evaluate(way)[0]
-    return float(heights.min()) - spec.core.wire_channel_depth_mm, float(heights.max()) + over_mm
+    return float(heights.min()) - spec.core.wire_channel_mm[1], float(heights.max()) + over_mm

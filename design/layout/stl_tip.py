@@ -29,17 +29,17 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
     body = read_stl_tip(path)
     if not body.is_watertight or body.volume <= 0:
         raise InputError(
-            f"indenter.file {path}: the surface is not closed with its normals outward. Fix the STL"
+            f"indenter.vertices_mm {path}: the surface is not closed with its normals outward. Fix the STL"
         )
     hull = body.convex_hull
     if hull.volume > (1 + _CONVEX_TO) * body.volume:
         raise InputError(
-            f"indenter.file {path}: the body is not convex (it fills {body.volume / hull.volume:.1%} "
+            f"indenter.vertices_mm {path}: the body is not convex (it fills {body.volume / hull.volume:.1%} "
             "of its hull). Use a convex tip, or indenter.tip_count for several"
         )
     if len(hull.vertices) > _MOST_CORNERS:
         raise InputError(
-            f"indenter.file {path} has {len(hull.vertices)} corners, more than {_MOST_CORNERS}. "
+            f"indenter.vertices_mm {path} has {len(hull.vertices)} corners, more than {_MOST_CORNERS}. "
             "Export it coarser"
         )
     return tuple((x, y, z) for x, y, z in hull.vertices.round(6).tolist())
@@ -48,6 +48,6 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
 def read_stl_tip(path: Path) -> Trimesh:
     from trimesh import Trimesh
 
-    missing = f"no indenter.file at {path}. Give the path from the specification's folder"
+    missing = f"no indenter.vertices_mm at {path}. Give the path from the specification's folder"
     surface = read_foreign_surface(path, missing)
     return Trimesh(surface.vertices_mm, surface.triangles)

@@ -107,7 +107,7 @@ def tip_places_mm(indenter: IndenterSpec) -> Float[np.ndarray, "tip 2"]:
     """Return where the lowest points of the probe's tips are, about the place pressed."""
     reach = float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max())
     places = tip_positions_mm(indenter.tip_count, reach, indenter.tip_spacing_mm)
-    yaw = np.deg2rad(indenter.yaw_deg)
+    yaw = np.deg2rad(indenter.turn_deg[0])
     return places @ np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]])
 
 
@@ -181,8 +181,7 @@ def _distinct(rows: np.ndarray) -> np.ndarray:
 def _turned(points: np.ndarray, indenter: IndenterSpec) -> np.ndarray:
     from scipy.spatial.transform import Rotation
 
-    tilt_x, tilt_y = indenter.tilt_deg
-    turn = Rotation.from_euler("zxy", [indenter.yaw_deg, tilt_x, tilt_y], degrees=True)
+    turn = Rotation.from_euler("zxy", indenter.turn_deg, degrees=True)
     return turn.apply(points)
 
 

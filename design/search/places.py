@@ -12,7 +12,6 @@ from typing import Any, Literal
 import numpy as np
 from jaxtyping import Float
 
-from design.catalogue.magnets import magnet_grade
 from design.layout.pockets import magnet_bodies
 from design.search.faces import group_labels, layout_groups
 from design.spec.object import ObjectSpec
@@ -58,20 +57,16 @@ def sensor_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMa
 
 def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]:
     """Polarization of every magnet over that of the specification's first; negative for north inward."""
-    magnets, vary = structured.magnets, structured.search.vary
+    magnets = structured.magnets
     signs, strengths = magnets.polarities, magnets.strengths
-    if vary.magnet_north:
+    if structured.search.vary.magnet_north:
         norths = choices_of_magnets(structured, params, "north")
         signs = tuple(1 if way == "outward" else -1 for way in norths)
-    if vary.magnet_grade:
-        grades = choices_of_magnets(structured, params, "grade")
-        first = magnets.remanences_t[0]
-        strengths = tuple(magnet_grade(name).remanence_t / first for name in grades)
     return [float(sign * strength) for sign, strength in zip(signs, strengths, strict=True)]
 
 
 def choices_of_magnets(
-    structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "grade", "size"]
+    structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "size"]
 ) -> list[str]:
     """Return what a trial chose for every magnet of a face."""
     return [params[f"magnet{k}_{name}"] for k in range(1, structured.magnets.count + 1)]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.catalogue.magnets import magnet_grade, magnet_part, typical_grade
+from design.catalogue.magnets import magnet_part
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import core_pockets, magnet_bodies, sensor_places, shell_pockets
@@ -169,7 +169,6 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
         values: dict[str, Any] = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
         values["size"] = parts[k - 1]
-        values["grade"] = typical_grade(spec.magnets.remanences_t[k - 1])
         values_by_name |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):
         face = spec.body.sensed.index(group[0])
@@ -229,9 +228,6 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
         content["magnets"]["tilt_deg"] = magnets[0][:, 3:].round(1).tolist()
     if vary.magnet_north:
         content["magnets"]["north"] = choices_of_magnets(structured, params, "north")
-    if vary.magnet_grade is not None:
-        del content["magnets"]["remanence_t"]
-        content["magnets"]["grade"] = choices_of_magnets(structured, params, "grade")
     if vary.sensor_reach_mm is not None:
         lists = [
             each.places_at(values).round(2).tolist() for each in sensor_maps(structured, names)
@@ -269,8 +265,6 @@ def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
             variables.append(Variable(name + SIZE, choices=vary.magnet_sizes))
         if vary.magnet_north:
             variables.append(Variable(f"{name}_north", choices=("outward", "inward")))
-        if vary.magnet_grade is not None:
-            variables.append(Variable(f"{name}_grade", choices=vary.magnet_grade))
     return variables
 
 
@@ -331,7 +325,6 @@ def _check(spec: ObjectSpec) -> None:
             "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg, "
             "depth_mm, grade, remanence_t or sizes hold for as many as there were. Leave those out"
         )
-    _check_grades(spec)
 
 
 def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
@@ -354,20 +347,3 @@ def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
             f"search.vary.magnet_sizes takes sizes sold in all grades; got {graded}. Take stock sizes "
             "such as D6x1"
         )
-
-
-def _check_grades(spec: ObjectSpec) -> None:
-    vary, magnets = spec.search.vary, spec.magnets
-    if vary.magnet_grade is None:
-        return
-    for name in vary.magnet_part or ():
-        if magnet_part(name).grade is not None:
-            raise InputError(
-                f"search.vary.magnet_part = {name!r} is sold in one grade; search.vary.magnet_grade "
-                "chooses grades. Leave one of the two out"
-            )
-    for name in vary.magnet_grade:
-        try:
-            magnets.changed(grade=name, remanence_t=magnet_grade(name).remanence_t)
-        except InputError as error:
-            raise InputError(f"search.vary.magnet_grade: {error}") from None

@@ -110,7 +110,7 @@ def _hemisphere(indenter: IndenterSpec) -> cq.Shape:
 def _body(indenter: IndenterSpec) -> cq.Shape:
     """The tip turned by yaw and tilt, its lowest point (or the middle of what is lowest) at 0."""
     solid: cq.Shape = _SOLIDS[indenter.kind](indenter)
-    turns = zip(np.eye(3)[[2, 0, 1]], (indenter.yaw_deg, *indenter.tilt_deg), strict=True)
+    turns = zip(np.eye(3)[[2, 0, 1]], indenter.turn_deg, strict=True)
     for axis, angle in turns:
         solid = solid.rotate(_ORIGIN, cq.Vector(*axis), angle)
     if indenter.kind == "ellipsoid":  # its bounding box is that of the splines' corners

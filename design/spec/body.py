@@ -196,13 +196,12 @@ class ShellSpec(SpecPart):
 class KeysSpec(SpecPart):
     """Blocks on every sensed face of the core that lock the shell against slipping.
 
-    Each stands at a place of `positions_mm` (x, y in the face's frame), `size_mm` along the face's
-    x and y, `height_mm` into the silicone. Without places there are none.
+    Each stands at a place of `positions_mm` (x, y in the face's frame); `size_mm` are its edges along
+    the face's x and y, and its height into the silicone. Without places there are none.
     """
 
     positions_mm: tuple[tuple[Coordinate, Coordinate], ...] = ()
-    size_mm: tuple[Length, Length] = (3.0, 3.0)
-    height_mm: Length = 1.5
+    size_mm: tuple[Length, Length, Length] = (3.0, 3.0, 1.5)
 
 
 HUB_DEPTH_MM = 0.5
@@ -212,8 +211,8 @@ HUB_DEPTH_MM = 0.5
 class CoreSpec(SpecPart):
     """Rigid printed core that fills the shell's cavity down to the core's own height.
 
-    A `wire_channel_width_mm` above 0 cuts channels of that width and `wire_channel_depth_mm` from
-    each sensor's recess to the wire hole. `bay_mm` widens or deepens the cavity by a box of that
+    A `wire_channel_mm` (width, depth) whose width is above 0 cuts channels from each sensor's recess to
+    the wire hole. `bay_mm` widens or deepens the cavity by a box of that
     size (x, y, depth from the open face) for a board and a battery. The wires only enter the checks.
     """
 
@@ -224,8 +223,7 @@ class CoreSpec(SpecPart):
     recess_depth_mm: Length = 3.0
     wire_hole_top_diameter_mm: Length = 2.0
     wire_hole_side_diameter_mm: Length = 4.0
-    wire_channel_width_mm: Offset = 0.0
-    wire_channel_depth_mm: Length = 1.0
+    wire_channel_mm: tuple[Offset, Length] = (0.0, 1.0)
     wires_per_sensor: Annotated[int, Field(ge=1, le=20)] = 4
     bay_mm: tuple[Length, Length, Length] | None = None
     keys: KeysSpec = KeysSpec()

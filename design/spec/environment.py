@@ -6,7 +6,8 @@ is nothing.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from math import hypot
+from typing import Annotated
 
 from pydantic import Field, model_validator
 
@@ -14,27 +15,32 @@ from design.spec.base import (
     Component,
     Coordinate,
     Length,
-    Remanence,
     SpecPart,
 )
 
+EarthField = Annotated[float, Field(ge=0, le=100)]
+EarthPart = Annotated[float, Field(ge=-100, le=100)]
+"""Component of Earth's field, µT."""
+Polarity = Annotated[float, Field(ge=-2, le=2)]
+"""Component of a remanence, T; the strongest magnets that are sold have 1.55."""
 Place = tuple[Coordinate, Coordinate, Coordinate]
 Direction = tuple[Component, Component, Component]
 
 
 class StrayMagnetSpec(SpecPart):
-    """A disk magnet outside the object: its centre, and the direction of its north pole."""
+    """A disk magnet outside the object: its centre, diameter and height, and its remanence as a vector
+    towards its north pole."""
 
     position_mm: Place
-    axis: Direction = (0.0, 0.0, 1.0)
-    diameter_mm: Length = 10.0
-    height_mm: Length = 5.0
-    remanence_t: Remanence = 1.3
+    size_mm: tuple[Length, Length] = (10.0, 5.0)
+    remanence_t: tuple[Polarity, Polarity, Polarity] = (0.0, 0.0, 1.3)
 
     @model_validator(mode="after")
-    def _axis_points_somewhere(self) -> StrayMagnetSpec:
-        if not any(self.axis):
-            raise ValueError("environment.magnets axis must not be zero. Give its north direction")
+    def _remanence_points_somewhere(self) -> StrayMagnetSpec:
+        if not any(self.remanence_t):
+            raise ValueError(
+                "environment.magnets remanence_t must not be zero. Give it along its north direction"
+            )
         return self
 
 
@@ -57,20 +63,16 @@ class SteelPlateSpec(SpecPart):
 class EnvironmentSpec(SpecPart):
     """Earth's field, magnets and steel plates about the object.
 
-    `earth_field_ut` is 25 to 65 µT on Earth's surface. `earth_direction` is its direction in
-    the object's frame: (cos I, 0, −sin I) at the inclination I for an object whose x points to
-    magnetic north; "random" draws one orientation with the specification's seed.
+    `earth_ut` is Earth's field in the object's frame: 25 to 65 µT times (cos I, 0, −sin I) at the
+    inclination I for an object whose x points to magnetic north. A number alone is its size: one
+    orientation is then drawn with the specification's seed.
     """
 
-    earth_field_ut: Annotated[float, Field(ge=0, le=100)] = 0.0
-    earth_direction: Direction | Literal["random"] = (0.0, 0.0, -1.0)
+    earth_ut: EarthField | tuple[EarthPart, EarthPart, EarthPart] = 0.0
     magnets: tuple[StrayMagnetSpec, ...] = ()
     steel_plates: tuple[SteelPlateSpec, ...] = ()
 
-    @model_validator(mode="after")
-    def _earth_points_somewhere(self) -> EnvironmentSpec:
-        if self.earth_direction != "random" and not any(self.earth_direction):
-            raise ValueError(
-                "environment.earth_direction must not be zero. Give a direction, or 'random'"
-            )
-        return self
+    @property
+    def earth_size_ut(self) -> float:
+        """Size of Earth's field."""
+        return hypot(*self.earth_ut) if isinstance(self.earth_ut, tuple) else self.earth_ut

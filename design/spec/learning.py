@@ -28,7 +28,7 @@ class CollectionSpec(SpecPart):
     """Simulated recordings, `instobj run --to frames`.
 
     "paper": on each of `faces` every contact location, the probes of two and three tips at
-    `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
+    their `poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
     periodic depth for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
     borders and in the middle. "grasp": probes of one, two and three tips on both of `grasp_faces`,
     squeezed periodically to `grasp_force_n`, at ten poses or, of each number of tips, at
@@ -43,9 +43,9 @@ class CollectionSpec(SpecPart):
     faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5, 6)
     frames_per_case: Annotated[int, Field(ge=4, le=100_000_000)] = 1000
     non_contact_cases: Annotated[int, Field(ge=1, le=100_000)] = 3
-    dual_poses: tuple[ProbePose, ...] = _ROWS + _COLUMNS
-    triple_poses: tuple[ProbePose, ...] = _TRIANGLES + tuple(
-        (-x, -y, 180.0) for x, y, _ in _TRIANGLES
+    poses: tuple[tuple[ProbePose, ...], tuple[ProbePose, ...]] = (
+        _ROWS + _COLUMNS,
+        _TRIANGLES + tuple((-x, -y, 180.0) for x, y, _ in _TRIANGLES),
     )
     grasp_faces: tuple[SensedFace, SensedFace] = (3, 5)
     grasp_force_n: Force = 17.0
@@ -87,12 +87,18 @@ class ScoreSpec(SpecPart):
     channels: Literal["own", "all"] = "all"
 
 
+RestFrames = Annotated[int, Field(ge=2, le=1_000_000)]
+PressFrames = Annotated[int, Field(ge=4, le=1_000_000)]
+
+
 class ProtocolSpec(SpecPart):
-    """Simulated calibration presses: periodic indentation depth, disturbances of each press."""
+    """Simulated calibration presses: periodic indentation depth, disturbances of each press.
+
+    `frames_per_press` are those at rest, then those of the press.
+    """
 
     presses_per_place: Annotated[int, Field(ge=3, le=1_000_000)] = 6
-    frames_per_press: Annotated[int, Field(ge=4, le=1_000_000)] = 40
-    rest_frames_per_press: Annotated[int, Field(ge=2, le=1_000_000)] = 8
+    frames_per_press: tuple[RestFrames, PressFrames] = (8, 40)
     peak_force_n: tuple[Force, Force] = (10.0, 20.0)
     lateral_jitter_mm: Annotated[float, Field(ge=0, le=20)] = 0.3
     force_noise_n: Annotated[float, Field(ge=0, le=20)] = 0.12

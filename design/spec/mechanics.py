@@ -49,15 +49,20 @@ class MeshSpec(SpecPart):
     """Target edge lengths: `edge_mm` in the bulk, `surface_edge_mm` under the pressed faces.
 
     At the rims of rigid bodies, and under the tip of a single press, they are `rim_edge_ratio`
-    times those under the faces. The mesh leaves no surface by more than `envelope_mm`; half of it
-    is for the triangles that stand for curved surfaces.
+    times those under the faces; magnets are prisms of 16 sides, of 8 where that is 1. The mesh leaves
+    no surface by more than `envelope_mm`; half of it is for the triangles that stand for curved
+    surfaces.
     """
 
     edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 4.0
     surface_edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 1.7
     rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
     envelope_mm: Annotated[float, Field(ge=1e-4, le=5)] = 0.06
-    magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
+
+    @property
+    def magnet_sides(self) -> int:
+        """Sides of the prisms that stand for round magnets: half as many where their rims are coarse."""
+        return 16 if self.rim_edge_ratio < 1 else 8
 
     @property
     def finest_edge_mm(self) -> float:
@@ -137,13 +142,14 @@ class IndenterSpec(SpecPart):
 
     hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm`, lying along the
     face's x, as long as the first of `size_mm`. cuboid, a jaw: `size_mm`. ellipsoid, a fingertip:
-    `size_mm` are its widths, `radius_mm` is half its height. stl: the convex body in `file`, its
-    lowest point down. The edges of flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the
-    indenter about the face's normal, then `tilt_deg` about the face's x and y; the place pressed is
-    where its lowest point lands, of flat and cuboid the middle of the underside. Rigid, or with a
-    soft pad bonded to it: `pad` is its thickness (mm), Young's modulus (MPa) and Poisson's ratio.
-    `direction_deg` is how far its path leans from the inward normal towards x and y: at depth d it
-    has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart (left
+    `size_mm` are its widths, `radius_mm` is half its height. stl: the convex body of `vertices_mm` (in a
+    specification's file also the path of its STL), its lowest point down. The edges of flat and
+    cuboid are rounded by `fillet_mm`. `turn_deg` turns the indenter about the face's normal, then
+    about the face's x, then about its y; the place pressed is where its lowest point lands, of flat
+    and cuboid the middle of the underside. Rigid, or with a soft pad bonded to it: `pad` is its
+    thickness (mm), Young's modulus (MPa) and Poisson's ratio. `direction_deg` is how far its path
+    leans from the inward normal towards x and y: at depth d it has moved sideways by d tan of them. A
+    probe has `tip_count` tips, `tip_spacing_mm` apart (left
     out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
     """
 
@@ -152,10 +158,8 @@ class IndenterSpec(SpecPart):
     size_mm: tuple[Length, Length] = (10.0, 10.0)
     fillet_mm: Offset = 0.0
     pad: Pad = (0.0, 1.0, 0.45)
-    file: str | None = None
     vertices_mm: Vertices | None = None
-    yaw_deg: Angle = 0.0
-    tilt_deg: tuple[Tilt, Tilt] = (0.0, 0.0)
+    turn_deg: tuple[Angle, Tilt, Tilt] = (0.0, 0.0, 0.0)
     direction_deg: tuple[Direction, Direction] = (0.0, 0.0)
     friction: Literal["none", "sticking"] = "none"
     tip_count: Literal[1, 2, 3] = 1
@@ -180,14 +184,13 @@ class IndenterSpec(SpecPart):
     def _shape_is_whole(self) -> IndenterSpec:
         if (self.kind == "stl") != (self.vertices_mm is not None):
             raise ValueError(
-                f"indenter.file goes with indenter.kind = 'stl', and that kind needs it; got kind "
-                f"{self.kind!r} and file {self.file!r}. Give the STL of a convex body in mm, or "
-                "another kind"
+                "indenter.vertices_mm goes with indenter.kind = 'stl', and that kind needs it; got kind "
+                f"{self.kind!r}. Give the STL of a convex body in mm or its corners, or another kind"
             )
-        if self.kind == "hemisphere" and any(self.tilt_deg):
+        if self.kind == "hemisphere" and any(self.turn_deg[1:]):
             raise ValueError(
-                f"indenter.tilt_deg = {list(self.tilt_deg)} does nothing to a hemisphere. Set it to "
-                "[0, 0], or indenter.direction_deg for an oblique path"
+                f"a tilt in indenter.turn_deg = {list(self.turn_deg)} does nothing to a hemisphere. Set it "
+                "to 0, or indenter.direction_deg for an oblique path"
             )
         room = {"flat": self.radius_mm, "cuboid": min(self.size_mm) / 2}.get(self.kind, 0.0)
         if self.fillet_mm and not self.fillet_mm < room:

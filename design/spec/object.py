@@ -96,15 +96,6 @@ class ObjectSpec(SpecPart):
         """Forces at which a search judges layouts: `search.forces_n`, or `score.force_n` alone."""
         return self.search.forces_n or (self.score.force_n,)
 
-    @property
-    def for_scoring(self) -> ObjectSpec:
-        """With the disturbances that a search judges layouts by: where `search.baseline` is "drifted", a
-        baseline is as far off as the sensors drift."""
-        if self.search.baseline == "fresh":
-            return self
-        drifted = self.sensors.changed(zeroing_counts=self.sensors.drift_counts)
-        return self.changed(sensors=drifted)
-
     @model_validator(mode="after")
     def _element_takes_the_material(self) -> ObjectSpec:
         nu, element = self.silicone.poisson_ratio, self.mechanics.element
@@ -136,7 +127,7 @@ class ObjectSpec(SpecPart):
                 "silicone.layers need an element whose pressure may jump between them; got "
                 'mechanics.element = "taylor-hood". Use "p2-p0", or "p2" for foams and lattices'
             )
-        total = sum(layer.thickness_mm for layer in layers)
+        total = sum(depth_mm for depth_mm, _ in layers)
         if layers and total >= thickness:
             raise ValueError(
                 f"silicone.layers are {total:g} mm thick together; shell.thickness_mm is "

@@ -41,8 +41,8 @@ Some = Field(min_length=1, max_length=20)
 
 class VarySpec(SpecPart):
     """Variables that may change; magnets, and sensors that move, have one layout for all faces, one for
-    each size of face (`layouts`: half extents within 10 %), or one for each; depths, tilts, poles and
-    grades are the same on all. Where there are several, names of places in trials begin with `face` and
+    each size of face (`layouts`: half extents within 10 %), or one for each; depths, tilts and
+    poles are the same on all. Where there are several, names of places in trials begin with `face` and
     the first face that has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for
     each by itself.
 
@@ -59,7 +59,6 @@ class VarySpec(SpecPart):
     magnet_depth_mm: Range | None = None
     magnet_tilt_deg: Annotated[float, Field(gt=0, le=30)] | None = None
     magnet_north: bool = False
-    magnet_grade: Annotated[tuple[str, ...], Some, Distinct] | None = None
     sensor_count: (
         Annotated[tuple[Annotated[int, Field(ge=1, le=24)], ...], Some, Distinct] | None
     ) = None
@@ -114,14 +113,13 @@ class SearchSpec(SpecPart):
     mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
     A trial beyond `trial_limit_s` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
-    Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
+    Bounds are of a baseline that is `sensors.zeroing_counts` off.
     """
 
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
         "worst_position_bound_mm",
     )
     forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
-    baseline: Literal["fresh", "drifted"] = "fresh"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0

@@ -19,18 +19,10 @@ Modulus = Annotated[float, Field(ge=0.001, le=50)]
 """Young's modulus (MPa): of soft foams and gels 0.001, of printed TPU 17."""
 
 
-class PronyTermSpec(SpecPart):
-    """One term of the relaxation: the instantaneous modulus loses `fraction` of its value with `time_s`."""
-
-    fraction: Annotated[float, Field(gt=0, lt=1)]
-    time_s: Annotated[float, Field(ge=1e-4, le=1e7)]
-
-
-class LayerSpec(SpecPart):
-    """A layer under the outer surface, its Young's modulus over the body's; Poisson's ratio is the same."""
-
-    thickness_mm: Length
-    modulus_ratio: Annotated[float, Field(ge=1e-3, le=1e3)]
+PronyTerm = tuple[Annotated[float, Field(gt=0, lt=1)], Annotated[float, Field(ge=1e-4, le=1e7)]]
+"""Fraction of the instantaneous modulus that is lost, and its time, s."""
+Layer = tuple[Length, Annotated[float, Field(ge=1e-3, le=1e3)]]
+"""Thickness, mm, and Young's modulus over the body's; Poisson's ratio is the same."""
 
 
 class SiliconeSpec(SpecPart):
@@ -49,9 +41,11 @@ class SiliconeSpec(SpecPart):
     `thinnest_wall_mm` tear.
 
     `layers` are others of its kind over the body, from the outer surface inwards: the closed skin of
-    a printed lattice, a harder pour. They end at equal distances from the core.
+    a printed lattice, a harder pour. Each is a thickness (mm) and its modulus over the body's. They
+    end at equal distances from the core.
 
-    With `prony` terms the modulus is the instantaneous one, E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
+    With `prony` terms (fraction, time in s) the modulus is the instantaneous one,
+    E(t) = E (1 − Σ fraction (1 − exp(−t/time))).
     """
 
     name: str = "Platsil Gel-10"
@@ -60,8 +54,8 @@ class SiliconeSpec(SpecPart):
     youngs_modulus_range_mpa: tuple[Modulus, Modulus] | None = (0.15, 0.54)
     poisson_ratio: Annotated[float, Field(ge=-0.3, le=0.5)] = 0.4999
     density_g_per_cm3: Density = 1.07
-    layers: tuple[LayerSpec, ...] = ()
-    prony: tuple[PronyTermSpec, ...] = ()
+    layers: tuple[Layer, ...] = ()
+    prony: tuple[PronyTerm, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"
     elongation_percent: Annotated[float, Field(ge=1, le=3000)] = 970.0
     thinnest_wall_mm: Annotated[float, Field(ge=0.05, le=50)] = 1.0
@@ -85,7 +79,7 @@ class SiliconeSpec(SpecPart):
 
     @model_validator(mode="after")
     def _relaxes_to_a_solid(self) -> SiliconeSpec:
-        lost = sum(term.fraction for term in self.prony)
+        lost = sum(fraction for fraction, _ in self.prony)
         if lost >= 1:
             raise ValueError(
                 f"the fractions of silicone.prony must sum to less than 1; got {lost:g}. The rest is "
@@ -96,7 +90,7 @@ class SiliconeSpec(SpecPart):
     @property
     def surface_modulus_mpa(self) -> float:
         """Young's modulus right under the outer surface."""
-        return self.youngs_modulus_mpa * (self.layers[0].modulus_ratio if self.layers else 1.0)
+        return self.youngs_modulus_mpa * (self.layers[0][1] if self.layers else 1.0)
 
     @property
     def casting(self) -> Casting | None:

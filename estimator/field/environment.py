@@ -71,9 +71,9 @@ def environment(spec: ObjectSpec) -> Environment:
     around = spec.environment
     strays = []
     for stray in around.magnets:
-        outline = DiskMagnet(stray.diameter_mm, stray.height_mm, 1.0)
-        body = self_demagnetised(outline, stray.remanence_t, NDFEB_RECOIL_PERMEABILITY)
-        place, axis = np.asarray(stray.position_mm), _unit(stray.axis)
+        size_t = float(np.linalg.norm(stray.remanence_t))
+        body = self_demagnetised(DiskMagnet(*stray.size_mm, 1.0), size_t, NDFEB_RECOIL_PERMEABILITY)
+        place, axis = np.asarray(stray.position_mm), _unit(stray.remanence_t)
         strays.append((FieldModel(body, "exact"), _column(place), _column(axis)))
     plates = tuple(
         Plate(
@@ -114,10 +114,10 @@ def with_images(
 
 
 def _earth_t(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
-    direction = spec.environment.earth_direction
-    if direction == "random":
-        direction = tuple(np.random.default_rng(spec.seed).standard_normal(3).tolist())
-    return spec.environment.earth_field_ut * 1e-6 * _unit(direction)
+    earth_ut = spec.environment.earth_ut
+    if isinstance(earth_ut, tuple):
+        return 1e-6 * np.asarray(earth_ut)
+    return 1e-6 * earth_ut * _unit(tuple(np.random.default_rng(spec.seed).standard_normal(3)))
 
 
 def _unit(direction: tuple[float, ...]) -> Float[np.ndarray, "3"]:

@@ -79,7 +79,9 @@ def periodic_recipe(
     frames, quiet = spec.collection.frames_per_case, spec.collection.non_contact_cases
     traces = contact_traces(spec, signals, cases, mechanics, progress)
     total = len(cases) + quiet
-    period = spec.protocol.frames_per_press * (1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1)))
+    period = spec.protocol.frames_per_press[1] * (
+        1 + _PERIOD_SPREAD * rng.uniform(-1, 1, (total, 1))
+    )
     turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
     peak = peak_travel_mm(spec, signals, cases, traces)
     return Recipe(cases, traces, None, peak, turns, np.ones(frames, bool))
@@ -140,7 +142,7 @@ def scattered_recipe(
     traces = contact_traces(spec, signals, cases, mechanics, progress)
     wanted = collection.contacts * rng.uniform(*protocol.peak_force_n, (len(cases), 1))
     peak = travel_at_force(traces, wanted)[:, 0]
-    rest, frames = protocol.rest_frames_per_press, protocol.frames_per_press
+    rest, frames = protocol.frames_per_press
     turns = (rng.uniform(0, 1, (len(cases), 1)) + np.arange(frames)) / frames
     turns = np.concatenate([np.zeros((len(cases), rest)), turns], axis=1)
     pull = pull_of(spec, signals, cases, shear, rng) if collection.tangential_share else None

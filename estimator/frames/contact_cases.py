@@ -101,10 +101,9 @@ def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
         return
     half, tips = frames[face].half_lengths_mm, len(case.face)
     x, y = case.xy_mm.mean(axis=0)
-    name = {2: "dual_poses", 3: "triple_poses"}[tips]
     raise InputError(
-        f"collection.{name}: the probe of {tips} tips about ({x:.3g}, {y:.3g}) mm reaches beside face "
-        f"{face} (±{half[0]:.4g}, ±{half[1]:.4g} mm). Give poses that fit this object, or none: []"
+        f"collection.poses: the probe of {tips} tips about ({x:.3g}, {y:.3g}) mm reaches beside face "
+        f"{face} (±{half[0]:.4g}, ±{half[1]:.4g} mm). Give poses that fit this object, or none: [[], []]"
     )
 
 
@@ -116,9 +115,9 @@ def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
         _probe(face, contact_grid(spec).xy_mm[[place]], ids + place)
         for place in np.flatnonzero(has_place).tolist()
     ]
-    poses = ((2, spec.collection.dual_poses), (3, spec.collection.triple_poses))
-    for (tips, given), first in zip(poses, (DUAL_CASES, TRIPLE_CASES), strict=True):
-        for number, pose in enumerate(given):
+    groups = zip((2, 3), spec.collection.poses, (DUAL_CASES, TRIPLE_CASES), strict=True)
+    for tips, poses, first in groups:
+        for number, pose in enumerate(poses):
             cases.append(_probe(face, probe_tips_mm(spec, tips, pose), first + ids + number))
     return cases
 

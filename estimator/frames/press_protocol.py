@@ -145,7 +145,7 @@ def simulate_presses(
     """
     plan = plan_presses(spec, signals)
     rng = np.random.default_rng((spec.seed, 2))
-    rest, moving = spec.protocol.rest_frames_per_press, spec.protocol.frames_per_press
+    rest, moving = spec.protocol.frames_per_press
     force, prony = _press_forces(spec, plan, rng), spec.silicone.prony
     readings = np.empty((len(plan.face), rest + moving, signals.baseline_counts.size))
     block = max(1, len(plan.face) // spec.protocol.presses_per_place // 5)
@@ -165,10 +165,10 @@ def _press_forces(
     spec: ObjectSpec, plan: PressPlan, rng: np.random.Generator
 ) -> Float[np.ndarray, "press frame"]:
     """Force (N) of each frame without relaxation, 0 in the rest frames that come first."""
-    moving = spec.protocol.frames_per_press
+    resting, moving = spec.protocol.frames_per_press
     phase = 2 * np.pi * (np.arange(moving) + rng.uniform(0, 1, (len(plan.face), 1))) / moving
     force = plan.peak_force_n[:, None] * (1 - np.cos(phase)) / 2
-    rest = np.zeros((len(plan.face), spec.protocol.rest_frames_per_press))
+    rest = np.zeros((len(plan.face), resting))
     return np.concatenate([rest, force], axis=1)
 
 
@@ -200,7 +200,7 @@ def _labelled(
 ) -> FrameSet:
     presses, frames = force.shape
     grid, noise = contact_grid(spec), spec.protocol.force_noise_n
-    contact = np.arange(frames) >= spec.protocol.rest_frames_per_press
+    contact = np.arange(frames) >= spec.protocol.frames_per_press[0]
     contact = np.broadcast_to(contact, force.shape)
     label = force + rng.standard_normal(force.shape) * noise
     place_id = (plan.place + PLACE_ID_STRIDE * plan.face)[:, None]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.spec.silicone import PronyTermSpec
+from design.spec.silicone import PronyTerm
 from estimator.inversion.model.arrays import Array, library, like
 
 
@@ -43,9 +43,9 @@ class Relaxation:
     the sum over a face is what lasts.
     """
 
-    def __init__(self, prony: Sequence[PronyTermSpec]) -> None:
-        self._fraction = np.array([term.fraction for term in prony])
-        self._time_s = np.array([term.time_s for term in prony])
+    def __init__(self, prony: Sequence[PronyTerm]) -> None:
+        self._fraction = np.array([fraction for fraction, _ in prony])
+        self._time_s = np.array([time_s for _, time_s in prony])
         self._memory_n: Array = None
         self._elastic_n: Array = None
 

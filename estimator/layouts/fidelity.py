@@ -52,7 +52,7 @@ class FidelityScore:
     ----------
     worst_position_bound_mm, percentile_99_position_bound_mm, percentile_95_position_bound_mm,
     median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over the contact locations of
-        all faces, with `search.baseline`; at every one of `spec.scoring_forces_n`, then the geometric mean of
+        all faces; at every one of `spec.scoring_forces_n`, then the geometric mean of
         these, so that every force counts alike
     median_false_force_n, percentile_95_false_force_n : force that a face reads on itself, by its own
         channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
@@ -142,7 +142,6 @@ def score_signals(
     InputError
         Signals that cannot be scored (`score_places`).
     """
-    spec = spec.for_scoring
     each = [
         _score_at_force(spec.changed(score=spec.score.changed(force_n=force)), signals)
         for force in spec.scoring_forces_n

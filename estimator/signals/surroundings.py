@@ -56,7 +56,7 @@ def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) 
 
     The jaw is a half-space, an upper bound of real ones (`estimator.field.environment`).
     """
-    earth_ut = spec.environment.earth_field_ut or TYPICAL_EARTH_UT
+    earth_ut = spec.environment.earth_size_ut or TYPICAL_EARTH_UT
     per_channel = spec.sensors.counts_per_mt * 1e-3 * earth_ut
     jaws = [[with_jaw(spec, frame, gap) for gap in jaw_gap_mm] for frame in face_frames(spec)]
     rest = rest_counts(spec)

@@ -24,8 +24,8 @@ def layer_stiffness(
     if not layers:
         return None
     body = body_of(spec)
-    ends = body.thickness_mm - np.cumsum([layer.thickness_mm for layer in layers])
-    ratios = np.array([*(layer.modulus_ratio for layer in layers), 1.0])
+    ends = body.thickness_mm - np.cumsum([depth_mm for depth_mm, _ in layers])
+    ratios = np.array([*(ratio for _, ratio in layers), 1.0])
     total = np.zeros(len(corners_mm))
     points = inner_points()
     for weights in points:

@@ -16,13 +16,13 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Float
 
-from design.spec.silicone import PronyTermSpec
+from design.spec.silicone import PronyTerm
 
 
 def relaxed_force_n(
     elastic_force_n: Float[np.ndarray, "*press time"],
     time_s: Float[np.ndarray, "time"],
-    terms: Sequence[PronyTermSpec],
+    terms: Sequence[PronyTerm],
 ) -> Float[np.ndarray, "*press time"]:
     """Force (N) that is felt, from a history of forces computed with the instantaneous modulus.
 
@@ -35,18 +35,19 @@ def relaxed_force_n(
     if not terms:
         return elastic_force_n
     step_s, rise = np.diff(time_s), np.diff(elastic_force_n)
-    force = elastic_force_n * (1 - sum(term.fraction for term in terms))
-    for term in terms:
-        force = force + term.fraction * _fading_memory(elastic_force_n[..., :1], rise, step_s, term)
+    force = elastic_force_n * (1 - sum(fraction for fraction, _ in terms))
+    for fraction, decay_s in terms:
+        memory = _fading_memory(elastic_force_n[..., :1], rise, step_s, decay_s)
+        force = force + fraction * memory
     return np.maximum(force, 0.0)
 
 
 def _fading_memory(
-    first: np.ndarray, rise: np.ndarray, step_s: np.ndarray, term: PronyTermSpec
+    first: np.ndarray, rise: np.ndarray, step_s: np.ndarray, decay_s: float
 ) -> np.ndarray:
     """∫ exp(−(t − s)/τ) dF_e(s) at every time, by one step from each to the next."""
-    decay = np.exp(-step_s / term.time_s)
-    gain = -np.expm1(-step_s / term.time_s) * term.time_s / step_s
+    decay = np.exp(-step_s / decay_s)
+    gain = -np.expm1(-step_s / decay_s) * decay_s / step_s
     memory = [first[..., 0]]
     for index in range(len(step_s)):
         memory.append(decay[index] * memory[-1] + gain[index] * rise[..., index])

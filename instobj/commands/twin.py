@@ -113,8 +113,8 @@ def _loss_tangent(spec: ObjectSpec, omega: float) -> float:
     terms = spec.silicone.prony
     if not terms:
         return _LOSS_TANGENT
-    fraction = np.array([term.fraction for term in terms])
-    phase = omega * np.array([term.time_s for term in terms])
+    fraction, time_s = np.array(terms).T
+    phase = omega * time_s
     # generalised Maxwell solid: E'' = Σ g φ / (1 + φ²), E' = 1 − Σ g + Σ g φ² / (1 + φ²)
     loss = (fraction * phase / (1 + phase**2)).sum()
     storage = 1 - (fraction / (1 + phase**2)).sum()

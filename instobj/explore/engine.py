@@ -173,10 +173,10 @@ class Explorer:
     def _face_presses(
         self, design: ObjectSpec, face: int, forces_n: Sequence[float]
     ) -> _FacePresses:
-        judged, layouts = design.for_scoring, layouts_of(design, face)
+        layouts = layouts_of(design, face)
         numbers = [self._number_of(force) for force in forces_n]
         bases = [[of_size[number] for of_size in self.presses[face]] for number in numbers]
-        scorers = [layout_scorer(judged, of_sizes) for of_sizes in bases]
+        scorers = [layout_scorer(design, of_sizes) for of_sizes in bases]
         inside = clamp_to_candidates(scorers[0], layouts)
         with torch.no_grad():
             changes = [press_changes(scorer, inside) for scorer in scorers]

@@ -104,12 +104,12 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
 
 
 def bounds_of_twins(spec: ObjectSpec) -> list[Bounds]:
-    """Bounds of the design, then of its twins, at each judged force, with `search.baseline`."""
+    """Bounds of the design, then of its twins, at each judged force."""
     from estimator.tolerances.budget import twin_bounds
 
-    presses, judged = Run(spec).read(PRESSES), spec.for_scoring
+    presses = Run(spec).read(PRESSES)
     return [
-        twin_bounds(judged.changed(score=spec.score.changed(force_n=force_n)), *presses, TWINS)
+        twin_bounds(spec.changed(score=spec.score.changed(force_n=force_n)), *presses, TWINS)
         for force_n in spec.scoring_forces_n
     ]
 

@@ -203,12 +203,11 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
         (variant, Run(variant, checked=False).require("candidates").folder)
         for variant in size_variants(spec)
     ]
-    judged = spec.for_scoring
     by_face = {
         face: [_presses(variant, folder, face) for variant, folder in folders] for face in faces
     }
     return tuple(
-        layout_scorer(judged, [of_size[index] for of_size in by_face[face]], faces=len(alike))
+        layout_scorer(spec, [of_size[index] for of_size in by_face[face]], faces=len(alike))
         for index in range(len(spec.scoring_forces_n))
         for face, alike in faces.items()
     )

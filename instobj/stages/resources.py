@@ -149,21 +149,19 @@ def _signals(spec: ObjectSpec) -> Need:
 
 def _frames(spec: ObjectSpec) -> Need:
     protocol = spec.protocol
-    each = protocol.frames_per_press + protocol.rest_frames_per_press
+    each = sum(protocol.frames_per_press)
     presses = int(contact_places(spec).sum()) * protocol.presses_per_place
-    keys = "protocol.presses_per_place, protocol.frames_per_press or protocol.rest_frames_per_press"
+    keys = "protocol.presses_per_place or protocol.frames_per_press"
     return Need(_frames_gib(spec, presses * each), keys)
 
 
 def _collection(spec: ObjectSpec) -> Need:
     collection, protocol = spec.collection, spec.protocol
     if collection.kind == "continuous":
-        each = protocol.frames_per_press + protocol.rest_frames_per_press
+        each = sum(protocol.frames_per_press)
         frames, keys = collection.presses * each, "collection.presses or protocol.frames_per_press"
     else:
-        poses = (
-            len(collection.dual_poses) + len(collection.triple_poses) + collection.non_contact_cases
-        )
+        poses = sum(map(len, collection.poses)) + collection.non_contact_cases
         cases = len(set(collection.faces) & set(spec.body.sensed)) * (
             prod(grid_count(spec)) + poses
         )

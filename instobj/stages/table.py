@@ -164,7 +164,7 @@ STAGES: dict[str, Stage] = {
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
             *(*_PRESSED, "mechanics", "score", "limits.use", "tolerances", "seed"),
-            *("search.forces_n", "search.baseline", "limits.position_bound_mm"),
+            *("search.forces_n", "limits.position_bound_mm"),
         ),
         make_second_fidelity,
         version=9,

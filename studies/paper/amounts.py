@@ -86,12 +86,12 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """One budget of frames spent on few places or on many, tested anywhere on the face."""
     recorded = simulated_object(spec, quick)
     face, protocol = recorded.spec.collection.faces[0], recorded.spec.protocol
-    score_presses = protocol.frames_per_press + protocol.rest_frames_per_press
+    score_presses = sum(protocol.frames_per_press)
     budget = 60 * score_presses if quick else 600 * score_presses
     tested = recorded.collect(
         seed=1, kind="continuous", faces=[face], presses=60 if quick else 1000
     )
-    grid = recorded.collect(faces=[face], dual_poses=[], triple_poses=[])
+    grid = recorded.collect(faces=[face], poses=[[], []])
     anywhere = recorded.collect(
         seed=2, kind="continuous", faces=[face], presses=budget // score_presses
     )

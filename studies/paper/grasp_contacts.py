@@ -74,7 +74,7 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
 
 def _holds(recorded: SimulatedObject, grasps: int) -> FrameSet:
     """Grasps anywhere on both faces, each held once at some force."""
-    slow = changed(recorded.spec, {"protocol.frames_per_press": _SLOW_FRAMES})
+    slow = changed(recorded.spec, {"protocol.frames_per_press": [8, _SLOW_FRAMES]})
     return replace(recorded, spec=slow).collect(
         seed=_TEST_SEED,
         kind="grasp",

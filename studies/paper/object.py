@@ -42,8 +42,7 @@ QUICK = QUICK_MESH | {
     "collection.frames_per_case": 60,
     "collection.non_contact_cases": 10,
     "collection.presses": 150,
-    "collection.dual_poses": [[0, 6, 0], [6, 0, 90]],
-    "collection.triple_poses": [[0, -3, 0]],
+    "collection.poses": [[[0, 6, 0], [6, 0, 90]], [[0, -3, 0]]],
     "training.epochs": 40,
     "training.hidden_units": [64, 64],
 }

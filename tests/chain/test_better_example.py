@@ -23,7 +23,6 @@ COARSE = {
     "mesh.surface_edge_mm": 3.0,
     "search.forces_n": [2.0, 8.0],
     "mesh.rim_edge_ratio": 1.0,
-    "mesh.magnet_sides": 8,
     "mesh.edge_mm": 7.0,
     "contact_grid.count": [7, 7],
     "contact_grid.pitch_mm": 4.5,

@@ -25,14 +25,12 @@ COARSE = [
     "mesh.edge_mm=9",
     "mesh.surface_edge_mm=3.6",
     "mesh.rim_edge_ratio=1",
-    "mesh.magnet_sides=8",
     "mesh.envelope_mm=0.1",
     "contact_grid.count=[3, 3]",
     "contact_grid.pitch_mm=2.5",
     "press.depths_mm=[0.5, 1.0, 1.5, 2.0]",
     "protocol.presses_per_place=4",
-    "protocol.frames_per_press=8",
-    "protocol.rest_frames_per_press=4",
+    "protocol.frames_per_press=[4, 8]",
 ]
 OVERRIDES = [part for change in COARSE for part in ("--set", change)]
 

@@ -29,7 +29,6 @@ positions_mm = [[0, 0], [9, 6]]
 edge_mm = 9.0
 surface_edge_mm = 3.6
 rim_edge_ratio = 1
-magnet_sides = 8
 envelope_mm = 0.1
 [contact_grid]
 count = [3, 3]
@@ -40,8 +39,7 @@ depths_mm = [0.5, 1.0, 1.5, 2.0]
 force_n = 4.0
 [protocol]
 presses_per_place = 4
-frames_per_press = 8
-rest_frames_per_press = 4
+frames_per_press = [4, 8]
 """
 BOXES = {"closed": ([], (1, 2, 3, 4, 5, 6)), "two_open": ([5, 6], (1, 2, 3, 4))}
 

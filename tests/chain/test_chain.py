@@ -33,7 +33,6 @@ sensed_faces = [1, 3]
 edge_mm = 8.0
 surface_edge_mm = 3.0
 rim_edge_ratio = 1
-magnet_sides = 8
 envelope_mm = 0.1
 [contact_grid]
 count = [4, 4]
@@ -42,8 +41,7 @@ pitch_mm = 7.0
 depths_mm = [0.5, 1.0, 2.0, 3.0]
 [protocol]
 presses_per_place = 5
-frames_per_press = 16
-rest_frames_per_press = 4
+frames_per_press = [4, 16]
 [inversion]
 contacts = 3
 """
@@ -343,8 +341,8 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen += [("sensors", "positions_mm"), ("sensors", "rotations_deg"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
     chosen += [("mould", k) for k in ("style", "parting_azimuth_deg")]
-    chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
-    chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
+    chosen += [("indenter", key) for key in ("vertices_mm", "tip_spacing_mm")]
+    chosen += [("collection", "poses")]
     chosen += [("training", key) for key in ("history_frames", "ensemble", "trees", "process")]
     chosen += [("inversion", "model_error"), ("load_cell", "pins"), ("load_cell", "scale_n")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}

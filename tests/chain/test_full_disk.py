@@ -47,12 +47,11 @@ TINY = {
         "edge_mm": 8.0,
         "surface_edge_mm": 3.0,
         "rim_edge_ratio": 1,
-        "magnet_sides": 8,
         "envelope_mm": 0.1,
     },
     "score": {"force_n": 4.0},
     "search": {"forces_n": [4.0]},
-    "protocol": {"presses_per_place": 4, "frames_per_press": 16, "rest_frames_per_press": 4},
+    "protocol": {"presses_per_place": 4, "frames_per_press": (4, 16)},
     "training": {"model": "compact", "hidden_units": [16, 16], "epochs": 4},
 }
 

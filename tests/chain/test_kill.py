@@ -38,7 +38,7 @@ SPEC = ObjectSpec.model_validate(
         "body": {"sensed_faces": [1]},
         "contact_grid": {"count": [3, 3], "pitch_mm": 6.0},
         "press": {"depths_mm": [1.0, 2.0]},
-        "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0, "rim_edge_ratio": 1.0, "magnet_sides": 8},
+        "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0, "rim_edge_ratio": 1.0},
         "score": {"force_n": 2.0},
     }
 )

@@ -14,7 +14,6 @@ COARSE = [
     "mesh.edge_mm=8",
     "mesh.surface_edge_mm=3",
     "mesh.rim_edge_ratio=1",
-    "mesh.magnet_sides=8",
     "contact_grid.count=[3, 3]",
     "contact_grid.pitch_mm=8",
     "press.depths_mm=[1.0, 2.0, 3.0, 4.0]",

@@ -36,7 +36,6 @@ kind = "hx711"
 edge_mm = 8.0
 surface_edge_mm = 3.0
 rim_edge_ratio = 1
-magnet_sides = 8
 envelope_mm = 0.1
 [contact_grid]
 count = [4, 4]

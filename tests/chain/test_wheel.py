@@ -15,8 +15,7 @@ from tests.support.objects.tiny_cube import CHANGES, MECHANICS, MESHED, lend_mec
 ROOT = Path(__file__).parents[2]
 FEW_FRAMES = (
     "protocol.presses_per_place=3",
-    "protocol.frames_per_press=8",
-    "protocol.rest_frames_per_press=4",
+    "protocol.frames_per_press=[4, 8]",
 )
 COARSE = [part for key in (*MESHED, *CHANGES, *FEW_FRAMES) for part in ("--set", key)]
 THREADS = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}

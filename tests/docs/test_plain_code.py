@@ -30,7 +30,6 @@ WORDS = re.compile(
 MOST = {
     # finished: what is left is the right word there
     "design/fabrication": (0, 1, 0, 0),  # as_dict, like dataclasses.asdict
-    "design/spec": (0, 1, 0, 0),  # for_scoring
     "estimator/networks": (1, 0, 0, 0),  # known, the name of a stored tensor
     "estimator/recordings": (0, 1, 0, 0),  # as_dict
     # to be made plain

@@ -9,7 +9,6 @@ from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from design.layout.body import face_frame
-from design.spec.silicone import PronyTermSpec
 from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import save_inversion
 from estimator.signals.presses import press_signals
@@ -97,7 +96,7 @@ def test_noise_is_the_chips_and_a_seed_repeats_it(path):
 
 def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_says(tmp_path):
     estimator = inverted()
-    terms = (PronyTermSpec(fraction=0.2, time_s=0.5),)
+    terms = ((0.2, 0.5),)
     silicone = estimator.model.spec.silicone.changed(prony=terms)
     soft = estimator.model.spec.changed(silicone=silicone)
     object.__setattr__(estimator.model, "spec", soft)

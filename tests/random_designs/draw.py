@@ -110,13 +110,13 @@ def _tilted(rng: np.random.Generator, tables: Tables) -> None:
 
 def _channels(rng: np.random.Generator, tables: Tables) -> None:
     width, depth = rng.uniform([0.5, 0.4], [3.0, 2.0]).round(2)
-    tables["core"] |= {"wire_channel_width_mm": float(width), "wire_channel_depth_mm": float(depth)}
+    tables["core"] |= {"wire_channel_mm": [float(width), float(depth)]}
 
 
 def _keyed(rng: np.random.Generator, tables: Tables) -> None:
     places = rng.uniform(-11, 11, (int(rng.integers(1, 3)), 2)).round(1).tolist()
     width, length, height = rng.uniform(1.0, 4.0, 3).round(1).tolist()
-    keys = {"positions_mm": places, "size_mm": [width, length], "height_mm": height}
+    keys = {"positions_mm": places, "size_mm": [width, length, height]}
     tables["core"]["keys"] = keys
 
 

@@ -36,7 +36,7 @@ def _from(low: float, high: float) -> Value:
     return lambda rng, now: round(float(rng.uniform(low, high)), 2)
 
 
-def _edges(low: tuple[float, float, float], high: tuple[float, float, float]) -> Value:
+def _edges(low: tuple[float, ...], high: tuple[float, ...]) -> Value:
     return lambda rng, now: rng.uniform(low, high).round(1).tolist()
 
 
@@ -75,7 +75,7 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("core.recess_depth_mm", _plus(-0.7, 1.6), KINDS),
     ("core.wire_hole_top_diameter_mm", _times(0.6, 2.2), KINDS),
     ("core.wire_hole_side_diameter_mm", _times(0.4, 2.0), KINDS),
-    ("core.wire_channel_width_mm", _from(0.6, 2.5), KINDS),
+    ("core.wire_channel_mm", _edges((0.6, 1.0), (2.5, 1.0)), KINDS),
     ("core.wires_per_sensor", _one_of(1, 2, 3, 6), KINDS),
     ("core.bay_mm", _edges((6, 6, 4), (26, 26, 24)), ("box", "cylinder")),
     ("core.bay_mm", _edges((6, 5, 1.5), (30, 24, 4)), ("pad", "dome")),
@@ -244,13 +244,12 @@ def _keys(rng: np.random.Generator, tables: dict[str, Any]) -> None:
     count, reach = int(rng.integers(1, 4)), rng.uniform(4, 16)
     width, length, height = rng.uniform(1.0, 6.0, 3).round(1).tolist()
     places = rng.uniform(-reach, reach, (count, 2)).round(1).tolist()
-    table = {"positions_mm": places, "size_mm": [width, length], "height_mm": height}
+    table = {"positions_mm": places, "size_mm": [width, length, height]}
     put(tables, "core.keys", table)
 
 
 def _deep_channels(rng: np.random.Generator, tables: dict[str, Any]) -> None:
-    put(tables, "core.wire_channel_width_mm", round(float(rng.uniform(0.8, 4.0)), 2))
-    put(tables, "core.wire_channel_depth_mm", round(float(rng.uniform(0.4, 3.0)), 2))
+    put(tables, "core.wire_channel_mm", rng.uniform([0.8, 0.4], [4.0, 3.0]).round(2).tolist())
 
 
 def _wider_boards(rng: np.random.Generator, tables: dict[str, Any]) -> None:

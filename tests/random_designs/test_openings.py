@@ -43,7 +43,7 @@ BOX = {
     "body": {"kind": "box", "size_mm": [40.0, 40.0, 40.0], "sensed_faces": [1]},
     "magnets": {"positions_mm": [[0.0, 0.0]]},
     "sensors": {"count_per_face": 1},
-    "core": {"wire_channel_width_mm": 2.0},
+    "core": {"wire_channel_mm": [2.0, 1.0]},
 }
 
 

@@ -85,7 +85,7 @@ def test_answers_by_hand():
 
 
 def test_hypotheses_are_presses_on_their_way_to_the_peak_and_back():
-    spec = coarse_spec(collection={"dual_poses": (), "triple_poses": ()})
+    spec = coarse_spec(collection={"poses": ((), ())})
     signals = press_signals(spec, *synthetic_presses(spec))
     cases = paper_cases(spec, 3)
     found = press_hypotheses(
@@ -140,7 +140,7 @@ def test_tips_of_one_cell_share_its_force_and_those_of_other_faces_are_not_on_th
 
 def test_no_other_answer_does_better_on_a_small_cube():
     """Against shrunk, shifted and sharpened answers on frames drawn from the prior itself."""
-    spec = coarse_spec(collection={"dual_poses": (), "triple_poses": ()})
+    spec = coarse_spec(collection={"poses": ((), ())})
     signals = press_signals(spec, *synthetic_presses(spec))
     cases = paper_cases(spec, 3)
     traces = contact_traces(spec, signals, cases)

@@ -25,8 +25,7 @@ SHORTER = {
     "training.twins": 3,
     "training.epochs": 6,
     "protocol.presses_per_place": 3,
-    "protocol.frames_per_press": 12,
-    "protocol.rest_frames_per_press": 4,
+    "protocol.frames_per_press": (4, 12),
 }
 LONG = [pytest.param(name, marks=pytest.mark.slow) for name in ("two-face-grasp", "grasp-contacts")]
 NAMES = (*LONG, "core-slip", "3d-force")

@@ -133,7 +133,7 @@ def test_a_calibrated_twin_knows_places_that_nobody_pressed(results):
 
 
 def test_seen_places_are_every_second_in_x_and_y(synthetic_object):
-    frames = synthetic_object.collect(dual_poses=[], triple_poses=[])
+    frames = synthetic_object.collect(poses=[[], []])
     kept = frames.select(unseen.seen_places(frames))
     places_kept = np.unique(kept.place_id[kept.place_id >= 0] - 1000)
     assert places_kept.tolist() == [5 * x + y for x in (0, 2, 4) for y in (0, 2, 4)]

@@ -43,8 +43,7 @@ def paired(
 
 
 def _kinds_differ(changed: ObjectSpec) -> bool:
-    vary = changed.search.vary
-    return vary.magnet_grade is not None or vary.magnet_sizes is not None
+    return changed.search.vary.magnet_sizes is not None
 
 
 def _faces_in_words(spec: ObjectSpec) -> list[str]:

@@ -14,7 +14,6 @@ import numpy as np
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
-from estimator.information.fisher import SUFFIXES
 from estimator.information.scores import fill_places
 from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import write_page
@@ -179,11 +178,7 @@ def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tup
         return []
     pair = {"before": promotion.start.spec, "after": promotion.best.spec}
     scores = {when: SCORES.read(score) for when, score in zip(pair, results.scores, strict=True)}
-    baseline = promotion.start.spec.search.baseline
-    bounds = {
-        when: getattr(score, f"position_bound{SUFFIXES[baseline]}_mm")
-        for when, score in scores.items()
-    }
+    bounds = {when: score.position_bound_mm for when, score in scores.items()}
     limits = finite_limits(np.concatenate([values.ravel() for values in bounds.values()]))
     pictures = []
     for when, values in bounds.items():
@@ -193,7 +188,7 @@ def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tup
             "mm",
             values,
             limits=limits,
-            note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, {baseline} baseline.",
+            note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm.",
         )
         path = folder / f"position_bound_{when}.png"
         draw_overview(pair[when], face_map, path)

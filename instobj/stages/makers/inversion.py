@@ -112,7 +112,7 @@ def _presses_anywhere(
             kind="continuous", presses=_PRESSES, contacts=contacts, faces=spec.body.sensed,
             tangential_share=spec.inversion.tangential_share if contacts == 1 else 0.0,
         )  # fmt: skip
-        protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
+        protocol = spec.protocol.changed(frames_per_press=(2, _FRAMES_A_PRESS))
         wanted = spec.changed(
             collection=collection,
             protocol=protocol,

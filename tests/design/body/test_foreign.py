@@ -103,7 +103,7 @@ def test_what_is_no_file_is_said(tmp_path):
     ):
         with pytest.raises(InputError, match=said):
             read_foreign_surface(tmp_path / name, MISSING)
-    with pytest.raises(InputError, match=r"no indenter\.file"):
+    with pytest.raises(InputError, match=r"no indenter\.vertices_mm"):
         stl_tip_vertices_mm(tmp_path / "none.stl")
 
 

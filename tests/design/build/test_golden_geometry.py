@@ -134,7 +134,7 @@ def test_a_changed_sampled_part_is_seen(key, slack):
 
 def test_the_authors_core_is_the_preset_with_their_wire_channels():
     """15 channels of 2 × 0.5 mm, 38.8 mm³, are what the preset's core is larger by, to 0.03 %."""
-    channels = ["core.wire_channel_width_mm=2", "core.wire_channel_depth_mm=0.5"]
+    channels = ["core.wire_channel_mm=[2, 0.5]"]
     plain, channelled = (make_core(load_spec(FILES["paper_cube"], c)) for c in ([], channels))
     assert_allclose(channelled.Volume(), AUTHORS["core"][0], rtol=3e-4)
     assert plain.Volume() > 1.004 * AUTHORS["core"][0]

@@ -65,13 +65,13 @@ def test_every_part_of_an_example_slices_without_a_warning(path, tmp_path):
     assert warnings_of(load_spec(path), tmp_path) == {}
 
 
-KEYS = ["core.keys.size_mm=[2, 2]", "core.keys.height_mm=1.5"]
+KEYS = ["core.keys.size_mm=[2, 2, 1.5]"]
 CHOICES = {
     "handle": [
         "shell.seal_layer_mm=0.6",
         "core.keys.positions_mm=[[0, -6]]",
         "shell.slits.depth_mm=4",
-        "core.wire_channel_width_mm=2",
+        "core.wire_channel_mm=[2, 1]",
         "core.bay_mm=[10, 10, 12]",
         *KEYS,
     ],
@@ -85,13 +85,13 @@ CHOICES = {
     "capsule": [
         "shell.seal_layer_mm=0.5",
         "core.keys.positions_mm=[[0, -6]]",
-        "core.wire_channel_width_mm=2",
+        "core.wire_channel_mm=[2, 1]",
         *KEYS,
     ],
     "hall_skin": [
         "shell.seal_layer_mm=0.5",
         "core.bay_mm=[10, 8, 2]",
-        "core.wire_channel_width_mm=1",
+        "core.wire_channel_mm=[1, 1]",
     ],
     "hollow_dome": ["shell.seal_layer_mm=0.5"],
     "three_axis_dome": ["shell.seal_layer_mm=0.5"],

@@ -246,7 +246,7 @@ def test_features_are_told_with_their_places():
     """By hand, of the paper's cube: a core of 26 mm from face 6 at −21 up to 13, magnets in pockets 4.5 mm
     from its middle."""
     narrow = parsed(
-        core={"wire_hole_side_diameter_mm": 0.5, "wire_channel_width_mm": 0.4} | KEYS["core"]
+        core={"wire_hole_side_diameter_mm": 0.5, "wire_channel_mm": [0.4, 1.0]} | KEYS["core"]
     )
     places = {f.what.split(":")[0]: f.place_mm for f in check_features(narrow)}
     assert None not in places.values()
@@ -278,7 +278,7 @@ def test_holes_that_a_body_does_not_have_are_not_told():
     [
         ("core", {"wire_hole_top_diameter_mm": 0.5}, check_features, "wire_hole_top_diameter_mm"),
         ("core", {"wire_hole_side_diameter_mm": 0.5}, check_features, "wire_hole_side_diameter_mm"),
-        ("core", {"wire_channel_width_mm": 0.4}, check_features, "wire_channel_width_mm"),
+        ("core", {"wire_channel_mm": [0.4, 1.0]}, check_features, "wire_channel_mm"),
         ("shell", {"slits": {"depth_mm": 5.0, "width_mm": 0.5}}, check_features, "slits.depth_mm"),
     ],
 )
@@ -288,13 +288,15 @@ def test_the_value_that_a_finding_tells_passes(table, change, check, key):
         texts = [f.what for f in check(spec) if f.status != "pass"]
         return [float(found[1]) for text in texts if (found := re.search(pattern, text))]
 
+    def changed_to(value):
+        *outer, last = key.split(".")
+        written = {last: [value, 1.0] if last == "wire_channel_mm" else value}
+        return parsed(**{table: {outer[0]: change[outer[0]] | written} if outer else written})
+
     (value,) = told(parsed(**{table: change}))
-    *outer, last = key.split(".")
-    better = {outer[0]: change[outer[0]] | {last: value}} if outer else {last: value}
-    worse = 1.05 if last == "depth_mm" else 0.95
-    assert not told(parsed(**{table: better}))
-    near = {outer[0]: change[outer[0]] | {last: worse * value}} if outer else {last: worse * value}
-    assert told(parsed(**{table: near})) == [value]
+    assert not told(changed_to(value))
+    worse = 1.05 if key.endswith("depth_mm") else 0.95
+    assert told(changed_to(worse * value)) == [value]
 
 
 def test_a_printers_profile_is_a_file_that_users_edit(tmp_path):

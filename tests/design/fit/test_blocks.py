@@ -17,7 +17,7 @@ CYLINDER = {
     "core": {
         "recess_inner_radius_mm": 5.0,
         "recess_outer_radius_mm": 9.0,
-        "keys": {"positions_mm": [[0.0, 0.0]], "size_mm": [3.0, 3.0], "height_mm": 1.5},
+        "keys": {"positions_mm": [[0.0, 0.0]], "size_mm": [3.0, 3.0, 1.5]},
     },
     "sensors": {"radius_mm": 7.0},
     "shell": {"slits": {"depth_mm": 4.0}},
@@ -64,7 +64,7 @@ def test_keys_must_not_touch_each_other_nor_what_is_cut_into_the_core(given):
 
 def test_keys_of_two_faces_may_meet_within_the_core():
     """Near an edge their roots do, 0.5 mm below either face, and what stands above the core does not."""
-    keys = {"positions_mm": [[-11.5, 11.0]], "size_mm": [2.0, 3.0], "height_mm": 1.5}
+    keys = {"positions_mm": [[-11.5, 11.0]], "size_mm": [2.0, 3.0, 1.5]}
     spec = ObjectSpec.model_validate({"name": "x", "core": {"keys": keys}})
     assert not told(check_keys, "meets key", spec)
 
@@ -103,7 +103,9 @@ def test_keys_lie_on_their_patches_and_below_the_surface(given):
         core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"positions_mm": [[0.0, y]]}}
         assert bool(told(check_keys, words, cylinder(core=core))) == beyond
     for height, refused in ((7.99, False), (8.0, True)):
-        core = CYLINDER["core"] | {"keys": CYLINDER["core"]["keys"] | {"height_mm": height}}
+        core = CYLINDER["core"] | {
+            "keys": CYLINDER["core"]["keys"] | {"size_mm": [3.0, 3.0, height]}
+        }
         assert bool(told(check_keys, "must be below shell.thick", cylinder(core=core))) == refused
 
 

@@ -11,7 +11,7 @@ from design.fit.parts import distance_mm, recess_outline
 from design.spec.object import ObjectSpec
 from design.spec_io import with_overrides
 
-KEY = ["core.keys.size_mm=[2.0, 2.0]", "core.keys.height_mm=1.0"]
+KEY = ["core.keys.size_mm=[2.0, 2.0, 1.0]"]
 BASES = {
     "cube": [],
     "one magnet": ["magnets.positions_mm=[[0.0, 0.0]]"],
@@ -19,7 +19,7 @@ BASES = {
     "keys": [*KEY, "core.keys.positions_mm=[[0.0, 12.0]]"],
     "key below a magnet": [*KEY, "core.keys.positions_mm=[[10.0, 10.0]]"],
     "slits": ["shell.slits.depth_mm=4.0"],
-    "channels": ["core.wire_channel_width_mm=2.0"],
+    "channels": [],
     "cuboid tip": ["indenter.kind=cuboid"],
     "two tips": ["indenter.tip_count=2"],
     "thick shell": ["shell.thickness_mm=9.0", "core.recess_outer_radius_mm=9.0"],
@@ -80,11 +80,11 @@ keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's
 keys: core.keys.positions_mm | [[0.0, 11.99]] | [[0.0, 12.01]] | past the core's patch
 keys: core.keys.positions_mm | [[0.0, 3.01]] | [[0.0, 2.99]] | over the wire hole
 keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | meets key 2
-keys: core.keys.height_mm | 7.99 | 8.0 | height_mm must be below shell
-key below a magnet: core.keys.height_mm | 4.99 | 5.0 | into the pocket
+keys: core.keys.size_mm | [2.0, 2.0, 7.99] | [2.0, 2.0, 8.0] | size_mm must be below shell
+key below a magnet: core.keys.size_mm | [2.0, 2.0, 4.99] | [2.0, 2.0, 5.0] | into the pocket
 slits: shell.slits.depth_mm | 9.89 | 9.9 | of silicone over the core
 slits: shell.slits.width_mm | 18.17 | 18.18 | leaves no slit
-channels: core.wire_channel_depth_mm | 4.49 | 4.5 | must be below core.wall_mm
+channels: core.wire_channel_mm | [2.0, 4.49] | [2.0, 4.5] | must be below core.wall_mm
 cube: core.bay_mm | [18.39, 9.0, 9.0] | [18.41, 9.0, 9.0] | less than printer.wall_mm
 cube: core.bay_mm | [9.0, 18.39, 9.0] | [9.0, 18.41, 9.0] | less than printer.wall_mm
 cube: core.bay_mm | [9.0, 9.0, 22.19] | [9.0, 9.0, 22.21] | less than printer.wall_mm
@@ -130,21 +130,21 @@ def test_it_fits_up_to_the_border_and_not_beyond(row):
     [
         (
             "magnets",
-            {"diameter_mm": 3.0, "height_mm": 4.0},
+            {"size_mm": [3.0, 4.0]},
             [23.51, 0, 0],
             [23.5, 0, 0],
             "may reach",
         ),
         (
             "magnets",
-            {"diameter_mm": 3.0, "height_mm": 4.0},
+            {"size_mm": [3.0, 4.0]},
             [0, 0, -23.51],
             [0, 0, -23.5],
             "may reach",
         ),
         (
             "magnets",
-            {"diameter_mm": 3.0, "height_mm": 4.0},
+            {"size_mm": [3.0, 4.0]},
             [22.6, 23, 0],
             [22.4, 23, 0],
             "may reach",

@@ -33,8 +33,8 @@ def test_a_slit_or_bay_that_would_fit_fits(name, change, word, key):
 
 
 def test_smaller_keys_that_would_fit_fit():
-    keys = ["core.keys.positions_mm=[[0, 11.5]]", "core.keys.height_mm=1.5"]
-    said = told("paper_cube", [*keys, "core.keys.size_mm=[9, 6]"])
+    keys = ["core.keys.positions_mm=[[0, 11.5]]"]
+    said = told("paper_cube", [*keys, "core.keys.size_mm=[9, 6, 1.5]"])
     (size,) = re.findall(r"would fit with size_mm = (.*)$", said, re.M)
     assert load_spec(ROOT / "examples" / "paper_cube.toml", [*keys, f"core.keys.size_mm={size}"])
 

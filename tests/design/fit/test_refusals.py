@@ -48,23 +48,23 @@ box: contact_grid.count=[5,19] indenter.direction_deg=[5,-20]
 box: contact_grid.count="fill" contact_grid.pitch_mm=22.3
 box: contact_grid.count="fill" contact_grid.pitch_mm=0.3
 box: contact_grid.count="fill" indenter.radius_mm=22.6
-box: environment.magnets=[{position_mm=[26,-3,4]},{position_mm=[1,30,2],diameter_mm=7,height_mm=9}]
-box: environment.magnets=[{position_mm=[10,-3,4],diameter_mm=7,height_mm=9}]
+box: environment.magnets=[{position_mm=[26,-3,4]},{position_mm=[1,30,2],size_mm=[7,9]}]
+box: environment.magnets=[{position_mm=[10,-3,4],size_mm=[7,9]}]
 box: environment.steel_plates=[{position_mm=[0,5,27],normal=[0,0.3,-2]}]
 box: environment={steel_plates=[{position_mm=[0,40,0],normal=[0,-2,0]}],magnets=[{position_mm=[1,35.5,2]}]}
 box: core.keys.positions_mm=[[14.2,-10],[10.5,16.6]]
 box: core.keys.positions_mm=[[1.6,-2.1]]
 box: core.keys.positions_mm=[[5.5,2.2]]
 box: core.keys.positions_mm=[[10.5,-10],[11.7,-9.1]]
-box: core.keys.positions_mm=[[5,5.5]] core.keys.height_mm=5.2
-box: core.keys.height_mm=8.3
+box: core.keys.positions_mm=[[5,5.5]] core.keys.size_mm=[3,3,5.2]
+box: core.keys.size_mm=[3,3,8.3]
 box: mechanics.interface=frictionless
-box: core.keys.size_mm=[9,14]
+box: core.keys.size_mm=[9,14,1.5]
 box: shell.slits.depth_mm=11.1
 box: shell.seal_layer_mm=1.9
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
-box: core.wire_channel_depth_mm=4.6
+box: core.wire_channel_mm=[1,4.6]
 box: core.bay_mm=[25,29,38]
 box: core.bay_mm=[24.9,28.9,37.5]
 box: mould.style=one-piece body.open_faces=[] core.bay_mm=[5,5,5]
@@ -82,14 +82,14 @@ pad: core.recess_depth_mm=5.2
 pad: shell.pocket_depth_mm=6.2 shell.thickness_mm=6
 pad: magnets.positions_mm=[[18.6,-6],[-7,2],[5,15.4]]
 pad: magnets.positions_mm=[[3,-6],[-7,2],[5,-3]]
-pad: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2] core.keys.height_mm=1
+pad: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2,1]
 pad: core.bay_mm=[10,9,3.2]
 pad: core.bay_mm=[39,33,3]
 pad: mould.style=one-piece contact_grid.count=[17,12]
 pad: contact_grid.count="fill" contact_grid.pitch_mm=18
 cylinder: shell.thickness_mm=20.5
 cylinder: core.recess_depth_mm=15.5
-cylinder: core.recess_depth_mm=4.3 core.wire_channel_depth_mm=3.8
+cylinder: core.recess_depth_mm=4.3 core.wire_channel_mm=[1,3.8]
 cylinder: arrangement=sensors-in-shell
 cylinder: mechanics.interface=frictionless mechanics.slip.rim=held
 sleeve: core.recess_outer_radius_mm=23.5
@@ -107,7 +107,7 @@ sleeve: contact_grid.count=[22,14]
 sleeve: contact_grid.count=[4,16] indenter.tip_count=2
 cylinder: core.keys.positions_mm=[[1.2,0.6]]
 cylinder: core.keys.positions_mm=[[11,6],[12.4,6.9]]
-cylinder: core.keys.positions_mm=[[5,5.5]] core.keys.height_mm=8.5
+cylinder: core.keys.positions_mm=[[5,5.5]] core.keys.size_mm=[3,3,8.5]
 cylinder: shell.slits.depth_mm=7.4
 cylinder: body.sensed_faces=[1,2]
 cylinder: magnets.positions_mm=[[3,-6],[-7,2],[1,14.3]] shell.slits.depth_mm=6.8
@@ -119,11 +119,11 @@ capsule: body.bore_mm=33
 capsule: magnets.positions_mm=[[1.5,-4],[-4.5,19.8]]
 closed capsule: shell.seal_layer_mm=2.2
 closed sphere: contact_grid.count="fill" contact_grid.pitch_mm=26
-sphere: core.keys.positions_mm=[[0.5,0.3]] core.keys.size_mm=[2,2] core.keys.height_mm=1.5
+sphere: core.keys.positions_mm=[[0.5,0.3]] core.keys.size_mm=[2,2,1.5]
 dome: shell.thickness_mm=24.2
 dome: core.recess_depth_mm=7.3
 dome of silicone: press.depths_mm=[1,12.4]
-hollow dome: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2] core.keys.height_mm=1
+hollow dome: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2,1]
 hollow dome: contact_grid.count=[16,14]
 """
 TIGHT = """

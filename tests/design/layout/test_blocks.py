@@ -12,7 +12,7 @@ from design.spec.object import ObjectSpec
 @pytest.mark.parametrize("x", [-4.0, 4.0])
 @pytest.mark.parametrize("y", [-4.0, 4.0])
 def test_every_corner_of_a_key_s_underside_lies_in_the_core(kind, x, y):
-    keys = {"positions_mm": [[x, y]], "size_mm": [3.0, 2.0], "height_mm": 1.5}
+    keys = {"positions_mm": [[x, y]], "size_mm": [3.0, 2.0, 1.5]}
     body = {"kind": kind, "size_mm": [44.0, 44.0, 44.0]}
     spec = ObjectSpec.model_validate({"name": "x", "body": body, "core": {"keys": keys}})
     found = core_keys(spec)

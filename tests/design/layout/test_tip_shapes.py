@@ -18,11 +18,11 @@ from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
 PYRAMID = ((0.0, 0.0, 0.0), (5.0, 1.0, 7.0), (-4.0, 3.0, 7.0), (-3.0, -4.0, 7.0))
 KINDS = [
     {"kind": "flat", "radius_mm": 4.0},
-    {"kind": "flat", "radius_mm": 4.0, "fillet_mm": 1.5, "tilt_deg": (0.0, 8.0)},
-    {"kind": "cylinder", "radius_mm": 3.0, "size_mm": (8.0, 9.0), "yaw_deg": 35.0},
-    {"kind": "cuboid", "size_mm": (9.0, 5.0), "fillet_mm": 1.0, "tilt_deg": (-6.0, 4.0)},
-    {"kind": "ellipsoid", "size_mm": (12.0, 8.0), "radius_mm": 6.0, "tilt_deg": (15.0, -10.0)},
-    {"kind": "stl", "vertices_mm": PYRAMID, "yaw_deg": 20.0},
+    {"kind": "flat", "radius_mm": 4.0, "fillet_mm": 1.5, "turn_deg": (0.0, 0.0, 8.0)},
+    {"kind": "cylinder", "radius_mm": 3.0, "size_mm": (8.0, 9.0), "turn_deg": (35.0, 0.0, 0.0)},
+    {"kind": "cuboid", "size_mm": (9.0, 5.0), "fillet_mm": 1.0, "turn_deg": (0.0, -6.0, 4.0)},
+    {"kind": "ellipsoid", "size_mm": (12.0, 8.0), "radius_mm": 6.0, "turn_deg": (0.0, 15.0, -10.0)},
+    {"kind": "stl", "vertices_mm": PYRAMID, "turn_deg": (20.0, 0.0, 0.0)},
 ]
 
 

@@ -7,7 +7,7 @@ from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 
-KEYS = {"positions_mm": [[3.0, 9.0], [-9.0, 2.0]], "size_mm": [3.0, 2.0], "height_mm": 1.5}
+KEYS = {"positions_mm": [[3.0, 9.0], [-9.0, 2.0]], "size_mm": [3.0, 2.0, 1.5]}
 SLITS = {"width_mm": 1.5, "depth_mm": 4.0}
 
 

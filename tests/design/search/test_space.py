@@ -30,7 +30,6 @@ EVERYTHING = {
     "magnet_depth_mm": [2.0, 4.0],
     "magnet_tilt_deg": 10.0,
     "magnet_north": True,
-    "magnet_grade": ["N35", "N50"],
     "sensor_count": [3, 4],
     "sensor_reach_mm": 9.0,
     "sensor_chip": ["inward", "outward"],
@@ -75,7 +74,6 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
         wanted = (params[f"magnet{k + 1}_x_mm"], params[f"magnet{k + 1}_y_mm"])
         assert_allclose(place, wanted, atol=0.0051)
         assert found.magnets.north[k] == params[f"magnet{k + 1}_north"]
-        assert found.magnets.grade[k] == params[f"magnet{k + 1}_grade"]
 
 
 def axes_of(spec):
@@ -89,10 +87,7 @@ def axes_of(spec):
 
 VARY = {
     k: EVERYTHING[k]
-    for k in (
-        *("magnet_reach_mm", "magnet_depth_mm", "magnet_tilt_deg"),
-        *("magnet_north", "magnet_grade"),
-    )
+    for k in ("magnet_reach_mm", "magnet_depth_mm", "magnet_tilt_deg", "magnet_north")
 }
 
 
@@ -103,50 +98,14 @@ def with_layout_of_magnets(spec, update):
     return parse_spec(content, "made up")
 
 
-def test_every_magnet_has_its_own_grade():
-    vary = {"magnet_reach_mm": 14.0, "magnet_grade": ["N35", "N52"]}
-    space = search_space(specification(vary=vary))
-    names = [f"magnet{k}_grade" for k in range(1, 6)]
-    assert [v.name for v in space.variables if v.choices] == names
-    params = params_at(space, np.zeros(len(space.variables)))
-    assert_allclose(polarities(space.spec, params), [1.20 / 1.43] * 5, rtol=1e-12)
-    first = polarities(space.spec, params | {names[0]: "N52"})
-    assert_allclose(first, [1.45 / 1.43] + [1.20 / 1.43] * 4, rtol=1e-12)
-
-
-def test_grades_leave_poles_as_they_are_and_poles_grades():
-    vary = {"magnet_grade": ["N35", "N52"]}
+def test_poles_leave_grades_as_they_are():
     magnets = {"positions_mm": [[8, 8], [-8, -8]], "north": ["outward", "inward"]}
-    spec = parse_spec({"name": "a", "magnets": magnets, "search": {"vary": vary}}, "made up")
-    params = {"magnet1_grade": "N52", "magnet2_grade": "N35"}
-    assert_allclose(polarities(spec, params), [1.45 / 1.43, -1.20 / 1.43])
-    found = with_layout(spec, params).magnets
-    assert (found.grade, found.remanence_t) == (("N52", "N35"), (1.45, 1.20))
-    assert found.north == ("outward", "inward")
     magnets |= {"grade": ["N35", "N52"]}
     content = {"name": "a", "magnets": magnets, "search": {"vary": {"magnet_north": True}}}
     spec = parse_spec(content, "made up")
     params = {"magnet1_north": "inward", "magnet2_north": "inward"}
     assert_allclose(polarities(spec, params), [-1.0, -1.45 / 1.20])
     assert with_layout(spec, params).magnets.grade == ("N35", "N52")
-
-
-@pytest.mark.parametrize(
-    ("magnets", "start"),
-    [
-        ({"grade": ["N35", "N52"]}, ["N35", "N52"]),
-        ({"remanence_t": 1.45}, ["N52", "N52"]),
-        ({"grade": "N52", "remanence_t": 1.44}, None),
-        ({"grade": "N42"}, None),
-    ],
-    ids=["listed", "typical", "measured", "no choice"],
-)
-def test_the_start_is_a_layout_where_its_grades_are_choices(magnets, start):
-    magnets = {"positions_mm": [[8, 8], [-8, -8]]} | magnets
-    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
-    space = search_space(parse_spec({"name": "a", "magnets": magnets, "search": search}, "a"))
-    found = start_params(space)
-    assert start == (None if found is None else list(found.values()))
 
 
 def test_another_magnet_in_the_core_leaves_the_boards_pockets_as_they_are():
@@ -201,10 +160,6 @@ def test_a_space_without_the_start_says_so(search):
 WRONG = {
     "block": {"vary": {"magnet_part": ["B5x5x1"]}},
     "is not in the catalogue": {"vary": {"magnet_part": ["D99x1"]}},
-    "'N99' is not in the catalogue": {"vary": {"magnet_grade": ["N35", "N99"]}},
-    "is sold in one grade": {
-        "vary": {"magnet_grade": ["N35"], "magnet_part": ["D6x1", "MP 12x5x2 / N38"]}
-    },
     "magnet_count needs": {"vary": {"magnet_count": [4, 5]}},
     "must rise": {"vary": {"magnet_depth_mm": [4.0, 2.0]}},
     "names one twice": {"objectives": ["worst_force_bound_n", "worst_force_bound_n"]},
@@ -221,19 +176,6 @@ def test_contradictions_are_one_clear_error(text):
 def test_parts_that_the_start_lacks_begin_in_the_middle():
     assert middle_value(Variable("a", low=2.0, high=5.0)) == 3.5
     assert middle_value(Variable("b", choices=(3, 1))) == 3
-
-
-REFUSED_GRADES = {
-    "magnet_grade: .*exceeds the 80 °C": {"temperature_c": 90.0},
-}
-
-
-@pytest.mark.parametrize("text", REFUSED_GRADES)
-def test_grades_that_the_magnets_cannot_have_are_refused(text):
-    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
-    content = {"name": "a", "magnets": REFUSED_GRADES[text], "search": search}
-    with pytest.raises(InputError, match=f"(?s){text}"):
-        search_space(parse_spec(content, "made up"))
 
 
 def test_more_or_fewer_magnets_take_no_list_of_grades():

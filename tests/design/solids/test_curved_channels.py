@@ -15,7 +15,7 @@ from design.spec.object import ObjectSpec
 
 def ball(**core):
     content = {"kind": "sphere", "size_mm": [60.0] * 3, "sensed_faces": [2]}
-    channels = {"wall_mm": 6.0, "wire_channel_width_mm": 2.0, **core}
+    channels = {"wall_mm": 6.0, "wire_channel_mm": [2.0, 1.0], **core}
     sensors = {"radius_mm": 9.0, "positions_mm": [[9.0, 0.0], [0.0, 9.0]], "count_per_face": 2}
     return ObjectSpec.model_validate(
         {"name": "t", "body": content, "core": channels, "sensors": sensors}
@@ -33,7 +33,7 @@ def below_surface(spec, depth_mm):
 @pytest.mark.parametrize(("width", "open_below"), [(2.0, True), (0.0, False)])
 def test_a_channel_reaches_its_depth_all_the_way(width, open_below):
     spec = ball(
-        wire_channel_width_mm=width, recess_inner_radius_mm=6.0, recess_outer_radius_mm=12.0
+        wire_channel_mm=(width, 1.0), recess_inner_radius_mm=6.0, recess_outer_radius_mm=12.0
     )
     core = make_core(spec)
     inside = [core.isInside(cq.Vector(*point)) for point in below_surface(spec, 0.9)]

@@ -32,7 +32,7 @@ PLACES = {
 
 
 def keyed(name, *more, place=None, size=SIZE_MM, height=HEIGHT_MM):
-    keys = {"positions_mm": [place or PLACES[name], *more], "size_mm": size, "height_mm": height}
+    keys = {"positions_mm": [place or PLACES[name], *more], "size_mm": [*size, height]}
     return body_spec(name, core={"keys": keys}, **({"body": BORED} if name == "ellipsoid" else {}))
 
 

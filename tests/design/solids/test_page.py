@@ -19,13 +19,18 @@ from tests.support.physics_pages import assert_page
 
 BODIES = ("box", "box open at a side", "pad", "cylinder", "sleeve", "capsule", "sphere", "dome")
 TIPS = {
-    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "tilt_deg": [4.0, -6.0]},
-    "cuboid": {"kind": "cuboid", "size_mm": [6.0, 4.0], "yaw_deg": 25.0, "tip_count": 3},
+    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "turn_deg": (0.0, 4.0, -6.0)},
+    "cuboid": {
+        "kind": "cuboid",
+        "size_mm": [6.0, 4.0],
+        "turn_deg": (25.0, 0.0, 0.0),
+        "tip_count": 3,
+    },
     "cylinder": {
         "kind": "cylinder",
         "radius_mm": 2.0,
         "size_mm": (7.0, 9.0),
-        "tilt_deg": [0.0, 5.0],
+        "turn_deg": (0.0, 0.0, 5.0),
     },
     "stl": {"kind": "stl", "vertices_mm": [[0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]]},
 }

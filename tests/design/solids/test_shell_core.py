@@ -232,11 +232,11 @@ def test_a_sensor_over_the_wire_hole_needs_no_channel():
         {
             "name": "one",
             "sensors": {"count_per_face": 1, "positions_mm": [[0, 0]]},
-            "core": {"wire_channel_width_mm": 0.8},
+            "core": {"wire_channel_mm": [0.8, 1.0]},
         },
         "one",
     )
-    plain = spec.changed(core=spec.core.changed(wire_channel_width_mm=0.0))
+    plain = spec.changed(core=spec.core.changed(wire_channel_mm=(0.0, 1.0)))
     assert make_core(spec).Volume() == pytest.approx(make_core(plain).Volume(), rel=1e-9)
 
 

@@ -15,13 +15,15 @@ from design.solids.shell import envelope, make_shell
 from design.spec_io import parse_spec
 from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
-KEYS = {"core": {"keys": {"positions_mm": [[11.5, 11.0], [-11.2, 11.5]], "size_mm": [2.0, 3.0]}}}
+KEYS = {
+    "core": {"keys": {"positions_mm": [[11.5, 11.0], [-11.2, 11.5]], "size_mm": [2.0, 3.0, 1.5]}}
+}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}
 LAYER = {"shell": {"seal_layer_mm": 0.7}}
 ALL = {
     "body": {"size_mm": [50.0, 46.0, 44.0]},
     "shell": {"seal_layer_mm": 0.7, "slits": {"depth_mm": 2.5, "width_mm": 1.2}},
-    "core": {"keys": {"positions_mm": [[12.0, -11.8]], "size_mm": [2.0, 3.0], "height_mm": 2.0}},
+    "core": {"keys": {"positions_mm": [[12.0, -11.8]], "size_mm": [2.0, 3.0, 2.0]}},
 }
 CASES = {"keys": KEYS, "slits": SLITS, "seal layer": LAYER, "all": ALL}
 
@@ -87,7 +89,7 @@ def test_slits_lie_between_the_sensed_faces_alone():
 
 
 def test_wire_channels_reach_every_recess():
-    spec = parsed(core={"wire_channel_width_mm": 1.4, "wire_channel_depth_mm": 1.2})
+    spec = parsed(core={"wire_channel_mm": [1.4, 1.2]})
     plain, channelled = make_core(parsed()), make_core(spec)
     for azimuth in np.deg2rad([240.0, 0.0, 120.0]):  # of face 1's recesses
         middle = 3.2 * np.array([np.cos(azimuth), np.sin(azimuth)])
@@ -110,11 +112,11 @@ def test_a_bay_widens_the_cavity():
         ({"core": {"keys": {"positions_mm": [[7, 0]]}}}, "sensor's recess"),
         ({"core": {"keys": {"positions_mm": [[0, 1]]}}}, "wire hole"),
         (
-            {"core": {"keys": {"positions_mm": [[11, 11], [11.4, 10]], "size_mm": [2, 2]}}},
+            {"core": {"keys": {"positions_mm": [[11, 11], [11.4, 10]], "size_mm": [2, 2, 1.5]}}},
             "meets key 2",
         ),
         (
-            {"core": {"keys": {"positions_mm": [[11.4, 11.4]], "height_mm": 5.5}}},
+            {"core": {"keys": {"positions_mm": [[11.4, 11.4]], "size_mm": [3, 3, 5.5]}}},
             "into the pocket of",
         ),
         (KEYS | {"mechanics": {"interface": "frictionless"}}, "cannot slide on a frictionless"),
@@ -124,7 +126,7 @@ def test_a_bay_widens_the_cavity():
             "meets a relief slit",
         ),
         ({"shell": {"seal_layer_mm": 2.1}}, "sticking out of the first pour"),
-        ({"core": {"wire_channel_width_mm": 1, "wire_channel_depth_mm": 5}}, "below core.wall_mm"),
+        ({"core": {"wire_channel_mm": [1, 5]}}, "below core.wall_mm"),
         ({"core": {"bay_mm": [21, 10, 10]}}, "less than printer.wall_mm"),
         ({"printer": {"name": "laser"}}, "not in the catalogue"),
     ],

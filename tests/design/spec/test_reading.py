@@ -100,7 +100,7 @@ def test_an_indenter_s_file_is_read_beside_the_specification(tmp_path):
     folder.mkdir()
     trimesh.convex.convex_hull(corners).export(folder / "tip.stl")
     path = tmp_path / "x.toml"
-    path.write_text('name = "x"\n[indenter]\nkind = "stl"\nfile = "tips/tip.stl"\n')
+    path.write_text('name = "x"\n[indenter]\nkind = "stl"\nvertices_mm = "tips/tip.stl"\n')
     found = np.array(load_spec(path).indenter.vertices_mm)
     assert_allclose(found[np.lexsort(found.T)], corners[np.lexsort(corners.T)], atol=1e-5)
 

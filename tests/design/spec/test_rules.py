@@ -15,11 +15,11 @@ RULES = """
 mechanics.element=taylor-hood silicone.poisson_ratio=% | 0.01 | 0.009 | takes silicone.poisson_ratio from 0.01
 mechanics.element=p2 silicone.poisson_ratio=% | 0.45 | 0.46 | takes silicone.poisson_ratio up to 0.45
 mechanics.element=p2-p0 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
-mechanics.element=% silicone.layers=[{thickness_mm=1,modulus_ratio=5}] | p2-p0 | taylor-hood | whose pressure
-silicone.layers=[{thickness_mm=%,modulus_ratio=5}] mechanics.element=p2-p0 | 7.9 | 8 | are 8 mm thick
+mechanics.element=% silicone.layers=[[1,5]] | p2-p0 | taylor-hood | whose pressure
+silicone.layers=[[%,5]] mechanics.element=p2-p0 | 7.9 | 8 | are 8 mm thick
 silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[%,0.5] | 0.4 | 0.41 | around youngs_modulus
 silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[0.2,%] | 0.4 | 0.39 | around youngs_modulus
-silicone.prony=[{fraction=0.5,time_s=1},{fraction=%,time_s=2}] | 0.4 | 0.5 | sum to less than 1; got 1
+silicone.prony=[[0.5,1],[%,2]] | 0.4 | 0.5 | sum to less than 1; got 1
 sensors.frame_rate_hz=% | 317 | 318 | is beyond the 317
 sensors.frame_rate_hz=% sensors.averaging=1 sensors.count_per_face=2 | 470 | 480 | 10 sensors with averaging =
 sensors.frame_rate_hz=% sensors.averaging=32 | 179 | 311 | is beyond the 310
@@ -80,13 +80,13 @@ mechanics.correction=large-strain mechanics.element=% | taylor-hood | p2-p0 | co
 mechanics.correction=large-strain mechanics.interface=% | bonded | frictionless | correction
 mechanics.correction=large-strain mechanics.slip.shift_mm=[0,0,%] | 0 | 0.1 | correction
 mechanics.interface=frictionless mechanics.slip.rotation_deg=[0,0,%] | 0 | 1 | moves a bonded interface
-indenter.tilt_deg=[0,%] | 0 | 3 | does nothing to a hemisphere
-indenter.kind=% indenter.tilt_deg=[0,3] | flat | hemisphere | does nothing to a hemisphere
+indenter.turn_deg=[9,0,%] | 0 | 3 | does nothing to a hemisphere
+indenter.kind=% indenter.turn_deg=[9,0,3] | flat | hemisphere | does nothing to a hemisphere
 indenter.kind=% indenter.vertices_mm=[[0,0,0],[6,0,8],[-6,5,8],[-6,-5,8]] | stl | flat | goes with indenter
 indenter.fillet_mm=% | 0 | 1 | fillet_mm
-environment.magnets=[{position_mm=[90,0,0],axis=[0,0,%]}] | 1 | 0 | must not be zero
+environment.magnets=[{position_mm=[90,0,0],remanence_t=[0,0,%]}] | 1 | 0 | must not be zero
 environment.steel_plates=[{position_mm=[90,0,0],normal=[%,0,0]}] | 1 | 0 | normal
-environment.earth_direction=% | [0,1,0] | [0,0,0] | earth_direction
+environment.earth_ut=% | [0,60,0] | [0,160,0] | earth_ut
 load_cell.scale_n=% | -20 | 0 | must not be 0
 load_cell.kind=hx711 load_cell.pins=% | ["D40","D41"] | ["D40"] | pins
 load_cell.kind=analog load_cell.pins=% | ["A0"] | ["A0","A1"] | pins
@@ -127,10 +127,10 @@ def test_a_rule_takes_up_to_its_border(row):
             "magnets.depth_mm: Input should be a valid number or a list in brackets; got 'deep'",
         ),
         (
-            "environment.earth_direction='up'",
-            "environment.earth_direction: Input should be a list in brackets or 'random'; got 'up'",
+            "environment.earth_ut='up'",
+            "environment.earth_ut: Input should be a valid number or a list in brackets; got 'up'",
         ),
-        ("environment.earth_direction=[1,0]", "environment.earth_direction.2 is missing. Add it"),
+        ("environment.earth_ut=[1,0]", "environment.earth_ut.2 is missing. Add it"),
         (
             "contact_grid.count=3",
             "contact_grid.count: Input should be 'fill' or a list in brackets; got 3",

@@ -68,10 +68,7 @@ def test_hardness_goes_before_the_name_and_an_unknown_name_needs_a_modulus():
 
 
 def test_skins_are_stiffer_right_under_the_surface():
-    skins = [
-        {"thickness_mm": 1.0, "modulus_ratio": 5.0},
-        {"thickness_mm": 1.0, "modulus_ratio": 2.0},
-    ]
+    skins = [[1.0, 5.0], [1.0, 2.0]]
     assert silicone(youngs_modulus_mpa=0.4).surface_modulus_mpa == 0.4
     assert silicone(youngs_modulus_mpa=0.4, layers=skins).surface_modulus_mpa == pytest.approx(2.0)
 

@@ -22,10 +22,10 @@ MODELS = {
     "block as charges": FieldModel(BLOCK, "charges", charges=3),
     "dipole": FieldModel(DISK, "dipole"),
 }
+STRAY_T = (1.3 * np.array([0.2, 1.0, -0.4]) / np.sqrt(1.2)).tolist()
 AROUND = {
-    "earth_field_ut": 45.0,
-    "earth_direction": [1.0, -2.0, 0.5],
-    "magnets": [{"position_mm": [40.0, 10.0, 5.0], "axis": [0.2, 1.0, -0.4]}],
+    "earth_ut": (np.array([1.0, -2.0, 0.5]) * 45 / np.sqrt(5.25)).tolist(),
+    "magnets": [{"position_mm": [40.0, 10.0, 5.0], "remanence_t": STRAY_T}],
     "steel_plates": [
         {"position_mm": [0, 0, -40.0], "normal": [0.1, 0, 1.0], "relative_permeability": 60.0}
     ],

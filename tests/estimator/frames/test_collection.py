@@ -34,12 +34,11 @@ SMALL = {
     "faces": (2, 5),
     "frames_per_case": 90,
     "non_contact_cases": 2,
-    "dual_poses": ((0.5, -2.0, 0.0), (3.0, 1.0, 90.0)),
-    "triple_poses": ((-1.0, -2.0, 180.0),),
+    "poses": (((0.5, -2.0, 0.0), (3.0, 1.0, 90.0)), ((-1.0, -2.0, 180.0),)),
     "grasp_force_n": 6.0,
 }
 QUIET = {"noise_counts": (1e-6, 1e-6, 1e-6), "zeroing_counts": 0, "drift_counts": 0}
-PROTOCOL = {"frames_per_press": 30, "rest_frames_per_press": 5, "peak_force_n": (4.0, 6.0)}
+PROTOCOL = {"frames_per_press": (5, 30), "peak_force_n": (4.0, 6.0)}
 
 
 def spec_of(sensors=None, protocol=None, **changes):
@@ -219,7 +218,7 @@ def test_several_contacts_anywhere(signals, mechanics):
 
 
 def test_relaxation_lowers_the_felt_force_but_not_the_signals(signals, mechanics):
-    prony = ({"fraction": 0.3, "time_s": 1.5},)
+    prony = ((0.3, 1.5),)
     plain = spec_of(sensors=QUIET, protocol={"force_noise_n": 0.0})
     soft = plain.model_copy(
         update={
@@ -304,7 +303,7 @@ def _force_of_depth(signals):
 
 def test_recordings_of_one_tip_and_of_three_are_joined(paper, signals):
     """The one with fewer contact slots gets empty ones, and keeps what it says."""
-    one = simulate_collection(spec_of(dual_poses=(), triple_poses=()), signals, "one")
+    one = simulate_collection(spec_of(poses=((), ())), signals, "one")
     both = joined([paper, one])
     assert one.contact_face.shape[1] == 1
     assert both.contact_face.shape[1] == 3

@@ -85,8 +85,8 @@ def test_an_object_with_fewer_faces_is_recorded_on_those_it_has():
         ({"faces": (3, 5)}, r"\[3, 5\] names faces without sensors; sensed are \[1, 3\]"),
         ({"kind": "continuous", "faces": (2,)}, "names faces without sensors"),
         ({"kind": "grasp"}, r"grasp_faces = \[3, 5\] are not both sensed"),
-        ({"dual_poses": ((0.0, 0.0, 0.0), (0.0, 20.0, 90.0))}, "dual_poses: the probe of 2 tips"),
-        ({"dual_poses": ((9.0, 0.0, 0.0),)}, r"dual_poses: .* reaches beside face 1"),
+        ({"poses": (((0.0, 0.0, 0.0), (0.0, 20.0, 90.0)), ())}, "poses: the probe of 2 tips"),
+        ({"poses": (((9.0, 0.0, 0.0),), ())}, r"poses: .* reaches beside face 1"),
     ],
 )
 def test_what_cannot_be_recorded_is_told_before_mechanics(changes, said):
@@ -113,9 +113,7 @@ def test_a_probe_is_turned_from_x_to_y_about_its_middle(tips, pose):
 
 
 def test_every_case_has_a_number_of_its_face_its_probe_and_its_place():
-    spec = collected(
-        dual_poses=((0.0, 0.0, 0.0), (0.0, 0.0, 90.0)), triple_poses=((0.0, 0.0, 0.0),)
-    )
+    spec = collected(poses=(((0.0, 0.0, 0.0), (0.0, 0.0, 90.0)), ((0.0, 0.0, 0.0),)))
     count = len(contact_grid(spec))
     for face in (1, 3):
         cases = paper_cases(spec, face)

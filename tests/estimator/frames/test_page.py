@@ -14,15 +14,15 @@ from tests.support.physics_pages import assert_page, chosen
 
 PRESSED = SPEC.changed(
     protocol=SPEC.protocol.changed(
-        presses_per_place=3, frames_per_press=5, rest_frames_per_press=2, peak_force_n=(3.0, 6.0)
+        presses_per_place=3, frames_per_press=(2, 5), peak_force_n=(3.0, 6.0)
     ),
     collection=SPEC.collection.changed(
-        faces=(2, 5), frames_per_case=12, non_contact_cases=2, dual_poses=(), triple_poses=(),
+        faces=(2, 5), frames_per_case=12, non_contact_cases=2, poses=((), ()),
     ),
 )  # fmt: skip
 POSED = PRESSED.changed(
     collection=SPEC.collection.changed(
-        dual_poses=((0.5, -2.0, 30.0),), triple_poses=((-1.0, -2.0, 100.0),), grasp_faces=(2, 4)
+        poses=(((0.5, -2.0, 30.0),), ((-1.0, -2.0, 100.0),)), grasp_faces=(2, 4)
     )
 )
 

@@ -18,7 +18,7 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
-PROTOCOL = {"presses_per_place": 3, "frames_per_press": 20, "rest_frames_per_press": 6}
+PROTOCOL = {"presses_per_place": 3, "frames_per_press": (6, 20)}
 SPEC = coarse_spec(protocol=PROTOCOL, seed=4)
 QUIET_SENSORS = {"noise_counts": (1e-6, 1e-6, 1e-6), "zeroing_counts": 0, "drift_counts": 0}
 
@@ -112,7 +112,7 @@ def test_rest_frames_carry_noise_and_the_zeroing_error_of_their_press(frames):
 
 def test_drift_walks_to_its_rms_in_fifteen_minutes(signals):
     wild = coarse_spec(
-        protocol={**PROTOCOL, "rest_frames_per_press": 60},
+        protocol={**PROTOCOL, "frames_per_press": (60, 20)},
         sensors={"noise_counts": (1e-3,) * 3, "zeroing_counts": 0, "drift_counts": 6000},
     )
     frames = simulate_presses(wild, signals, "hash")
@@ -193,7 +193,7 @@ def test_too_much_jitter_is_refused(signals):
 def test_relaxing_silicone_gives_hysteresis_in_force_and_none_in_the_signals(signals):
     quiet = {"sensors": QUIET_SENSORS, "protocol": PROTOCOL | {"force_noise_n": 0.0}, "seed": 4}
     elastic = simulate_presses(coarse_spec(**quiet), signals, "hash")
-    prony = ({"fraction": 0.2, "time_s": 0.8},)
+    prony = ((0.2, 0.8),)
     relaxed = simulate_presses(coarse_spec(**quiet, silicone={"prony": prony}), signals, "hash")
     np.testing.assert_array_equal(relaxed.signal_counts, elastic.signal_counts)
     shape = (5 * 20 * 3, 26)

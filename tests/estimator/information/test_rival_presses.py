@@ -38,7 +38,9 @@ def test_signals_and_slopes_are_the_interpolants(signals):
 def test_presses_are_there_up_to_the_deepest_of_each_place(signals):
     rivals = rival_presses(SPEC, signals, 3, OWN)
     reach = signals.force_n[2, :, -1]
-    assert_array_equal(rivals.is_pressed, rivals.force_n <= reach[:, None] * (1 + 1e-12))  # up to rounding
+    assert_array_equal(
+        rivals.is_pressed, rivals.force_n <= reach[:, None] * (1 + 1e-12)
+    )  # up to rounding
     assert_allclose(rivals.force_n[-1], reach.max())
     assert 0 < rivals.is_pressed[:, -1].sum() < 10
 

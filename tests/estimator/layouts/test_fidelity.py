@@ -260,12 +260,11 @@ def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
     assert_allclose(alike[1:], alike[[0, 0]], rtol=1e-12)
 
 
-def test_bounds_are_those_of_a_drifted_baseline_where_the_search_asks_for_them():
+def test_bounds_are_those_of_a_drifted_baseline_where_the_zero_is_as_far_off():
     grid = {"count": (2, 3), "pitch_mm": 4.0}
-    fresh, drifted = (
-        coarse_spec(contact_grid=grid, search={"baseline": state, "forces_n": []})
-        for state in ("fresh", "drifted")
-    )
+    fresh = coarse_spec(contact_grid=grid, search={"forces_n": []})
+    drift = fresh.sensors.drift_counts
+    drifted = fresh.changed(sensors=fresh.sensors.changed(zeroing_counts=drift))
     presses = synthetic_presses(fresh)
     signals = press_signals(fresh, *presses)
     known, found = score_places(fresh, signals), score_signals(drifted, signals, *presses)
@@ -274,9 +273,8 @@ def test_bounds_are_those_of_a_drifted_baseline_where_the_search_asks_for_them()
     assert found.median_position_bound_mm > 1.5 * np.median(known.position_bound_mm)
     ratio = np.percentile(known.delta_raw, 5) / np.median(known.delta_raw)
     assert_allclose(found.sensitivity_ratio, ratio, err_msg="δ is of white noise")
-    twins = twin_bounds(drifted.for_scoring, *presses, 1)["position_mm"][0]
+    twins = twin_bounds(drifted, *presses, 1)["position_mm"][0]
     assert_allclose(twins, known.position_bound_drifted_mm.ravel(), rtol=0.06)
-    assert fresh.for_scoring is fresh
 
 
 def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():

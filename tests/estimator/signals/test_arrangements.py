@@ -20,7 +20,7 @@ from instobj.field import polarization
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 IN_CORE = {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]}
-AROUND = {"earth_field_ut": 50, "earth_direction": [0.6, 0, -0.8]}
+AROUND = {"earth_ut": [30, 0, -40]}
 REVERSE = coarse_spec(arrangement="sensors-in-shell", magnets=IN_CORE, environment=AROUND)
 POLARIZATION_T = 1.43 / (1 + 0.05 * 0.7145899)  # Ø6 × 1 mm: 1 less Nagaoka's coefficient
 

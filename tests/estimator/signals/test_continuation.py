@@ -33,7 +33,7 @@ BOX = ObjectSpec.model_validate(
         "contact_grid": {"count": "fill", "pitch_mm": 4.0},
         "press": {"depths_mm": (0.5, 1.0, 2.0, 3.0)},
         "score": {"force_n": 5.0},
-        "protocol": {"presses_per_place": 3, "frames_per_press": 6},
+        "protocol": {"presses_per_place": 3, "frames_per_press": (8, 6)},
     }
 )
 

@@ -22,11 +22,9 @@ def test_a_turned_object_sees_a_field_change_as_its_chips_stand():
     rng = np.random.default_rng(1)
     for direction in rng.standard_normal((3, 3)):
         size_ut = 30.0
-        around = CUBE.environment.changed(
-            earth_field_ut=size_ut, earth_direction=tuple(direction.tolist())
-        )
-        change = rest_counts(CUBE.changed(environment=around)) - rest_counts(CUBE)
         field_ut = size_ut * direction / np.linalg.norm(direction)
+        around = CUBE.environment.changed(earth_ut=tuple(field_ut.tolist()))
+        change = rest_counts(CUBE.changed(environment=around)) - rest_counts(CUBE)
         assert_allclose(columns @ (field_ut / (np.sqrt(2 / 3) * 50.0)), change.ravel(), atol=1e-8)
 
 
@@ -43,7 +41,7 @@ def test_warm_magnets_lose_a_share_of_what_is_seen_at_rest():
     columns = nuisance_columns(used(CUBE, earth_field_ut=0.0, temperature_k=3.0))
     warm = CUBE.changed(magnets=CUBE.magnets.changed(temperature_c=23.0))
     assert_allclose(columns[:, 0], (rest_counts(warm) - rest_counts(CUBE)).ravel(), atol=1e-8)
-    around = CUBE.changed(environment=CUBE.environment.changed(earth_field_ut=60.0))
+    around = CUBE.changed(environment=CUBE.environment.changed(earth_ut=60.0))
     assert_allclose(nuisance_columns(around), nuisance_columns(CUBE))
 
 
@@ -58,7 +56,7 @@ def test_an_object_that_stands_still_has_none():
 def test_gains_of_drawn_chips_count():
     """Errors of chips that the specification draws scale the field's columns as they do its counts."""
     wrong = CUBE.changed(sensors=CUBE.sensors.changed(chip_spread=(0.1, 0.0)))
-    north = wrong.environment.changed(earth_field_ut=10.0, earth_direction=(1.0, 0.0, 0.0))
+    north = wrong.environment.changed(earth_ut=(10.0, 0.0, 0.0))
     change = rest_counts(wrong.changed(environment=north)) - rest_counts(wrong)
     columns = nuisance_columns(wrong)[:, 0] * 10 / (np.sqrt(2 / 3) * 50)
     assert_allclose(columns, change.ravel(), atol=1e-8)

@@ -14,7 +14,7 @@ from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_pre
 
 SPEC = coarse_spec(
     seed=5,
-    collection={"dual_poses": ((0.5, -2.0, 0.0),), "triple_poses": ()},
+    collection={"poses": (((0.5, -2.0, 0.0),), ())},
     silicone={"youngs_modulus_mpa": 0.4, "poisson_ratio": 0.4999},
 )
 

@@ -38,7 +38,6 @@ def pressed(kind: str, length_mm: float, face: int) -> FacePresses:
             "surface_edge_mm": 2.2,
             "envelope_mm": 0.08,
             "rim_edge_ratio": 1.0,
-            "magnet_sides": 8,
         },
         "mechanics": {"magnets": "points"},
     }

@@ -150,7 +150,6 @@ def handle():
                 "surface_edge_mm": 2.0,
                 "envelope_mm": 0.08,
                 "rim_edge_ratio": 1.0,
-                "magnet_sides": 8,
             },
             "mechanics": {"magnets": "points"},
         }

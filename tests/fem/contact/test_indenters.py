@@ -40,7 +40,7 @@ def test_profiles_by_hand():
     assert_allclose(flat, [0, 1 - np.sqrt(0.75), np.inf], rtol=0, atol=5e-3)
     lying = heights([[3, 0], [0, 3], [0, -3], [5.1, 0]], kind="cylinder", radius_mm=5)
     assert_allclose(lying, [0, 1, 1, np.inf], rtol=0, atol=1e-3)
-    along_y = heights([[3, 0], [0, 3]], kind="cylinder", radius_mm=5, yaw_deg=90)
+    along_y = heights([[3, 0], [0, 3]], kind="cylinder", radius_mm=5, turn_deg=(90, 0.0, 0.0))
     assert_allclose(along_y, [1, 0], rtol=0, atol=1e-3)
 
 
@@ -60,7 +60,7 @@ def test_cells_of_a_ball_are_halved_up_to_0_4_mm_above_its_lowest_point():
 def test_a_tilted_cuboid_touches_first_with_the_edge_turned_down():
     """Tilt about y by +10° takes +x down: the surface rises towards −x from its edge; the place is under
     its middle."""
-    tilted = {"kind": "cuboid", "size_mm": (6.0, 4.0), "tilt_deg": (0.0, 10.0)}
+    tilted = {"kind": "cuboid", "size_mm": (6.0, 4.0), "turn_deg": (0.0, 0.0, 10.0)}
     assert_allclose(
         heights(np.add([[0, 1], [-2, 0], [-5, -1]], (3 * np.cos(np.deg2rad(10)), 0)), **tilted),
         np.array([0, 2, 5]) * np.tan(np.deg2rad(10)),
@@ -75,7 +75,7 @@ def test_a_tilted_cuboid_touches_first_with_the_edge_turned_down():
 def test_cells_cover_the_outline_and_know_their_heights():
     for indenter in (
         IndenterSpec(),
-        IndenterSpec(kind="cuboid", size_mm=(7.0, 4.0), yaw_deg=25, tilt_deg=(3.0, 0.0)),
+        IndenterSpec(kind="cuboid", size_mm=(7.0, 4.0), turn_deg=(25, 3.0, 0.0)),
         IndenterSpec(radius_mm=3, tip_count=3),
     ):
         tip = tip_cells(indenter)
@@ -127,7 +127,7 @@ def test_hertz_on_the_half_space():
 
 def test_the_line_contact_of_a_long_cylinder():
     """Middle of a cylinder of 16 mm: p₀ = √(P′E*/πR) and half width √(4P′R/πE*) for its own P′."""
-    spec = spec_of(NU, kind="cylinder", radius_mm=4.0, size_mm=(16.0, 9.0), yaw_deg=90)
+    spec = spec_of(NU, kind="cylinder", radius_mm=4.0, size_mm=(16.0, 9.0), turn_deg=(90, 0.0, 0.0))
     pressures, tip = half_space_presses(spec, [0.3])
     x, y = tip.patches.centre_mm.T
     middle = abs(y) < 2
@@ -147,7 +147,7 @@ SQUARE_BAR = tuple((x, y, z) for x in (-3.0, 3.0) for y in (-3.0, 3.0) for z in 
     ("kind", "capacitance_mm", "error"),
     [
         ({"kind": "flat", "radius_mm": 3.0}, 2 / np.pi * 3, 0.004),
-        ({"kind": "cuboid", "size_mm": (6.0, 6.0), "yaw_deg": 30}, 0.36679 * 6, 0.02),
+        ({"kind": "cuboid", "size_mm": (6.0, 6.0), "turn_deg": (30, 0.0, 0.0)}, 0.36679 * 6, 0.02),
         ({"kind": "stl", "vertices_mm": SQUARE_BAR}, 0.36679 * 6, 0.02),
     ],
     ids=["disk", "square", "bar"],
@@ -244,7 +244,7 @@ def test_outlines_that_overlap():
     disk = IndenterSpec()
     assert tips_overlap(disk, np.array([7.0, 7.0]))
     assert not tips_overlap(disk, np.array([7.1, 7.1]))
-    jaw = IndenterSpec(kind="cuboid", size_mm=(8.0, 2.0), yaw_deg=90)
+    jaw = IndenterSpec(kind="cuboid", size_mm=(8.0, 2.0), turn_deg=(90, 0.0, 0.0))
     assert not tips_overlap(jaw, np.array([2.1, 0.0]))
     assert tips_overlap(jaw, np.array([0.0, 2.1]))
     probe = IndenterSpec(radius_mm=2.0, tip_count=2, tip_spacing_mm=10.0)
@@ -264,9 +264,9 @@ def test_a_table_with_sticking_friction_is_refused(rigid_response):
         ({"tip_count": 3}, "fewer places"),
         ({"radius_mm": 3.0}, "indenter's height, 3 mm"),
         ({"tip_count": 2, "tip_spacing_mm": 9.0}, "tips overlap"),
-        ({"tilt_deg": (5.0, 0.0)}, "does nothing to a hemisphere"),
+        ({"turn_deg": (0.0, 5.0, 0.0)}, "does nothing to a hemisphere"),
         ({"kind": "flat", "fillet_mm": 5.0}, "below half their width"),
-        ({"kind": "stl"}, "file"),
+        ({"kind": "stl"}, "vertices_mm"),
     ],
 )
 def test_indenters_that_do_not_fit_are_refused(indenter, words):
@@ -278,7 +278,7 @@ def test_indenters_that_do_not_fit_are_refused(indenter, words):
 def write_spec(folder, body):
     body.export(folder / "tip.stl")
     spec = folder / "object.toml"
-    spec.write_text('name = "x"\n[indenter]\nkind = "stl"\nfile = "tip.stl"\n')
+    spec.write_text('name = "x"\n[indenter]\nkind = "stl"\nvertices_mm = "tip.stl"\n')
     return spec
 
 
@@ -300,5 +300,5 @@ def test_bad_stls_are_refused(tmp_path):
         with pytest.raises(InputError, match=words):
             load_spec(write_spec(tmp_path, body))
     (tmp_path / "tip.stl").unlink()
-    with pytest.raises(InputError, match=r"no indenter\.file at"):
+    with pytest.raises(InputError, match=r"no indenter\.vertices_mm at"):
         load_spec(tmp_path / "object.toml")

@@ -31,7 +31,7 @@ def test_an_ellipsoid_s_height_is_the_root_of_its_equation():
     small = tip_heights_mm(tip_shape(finger), np.array([[0.1, 0.0], [0.0, 0.1], [6.01, 0.0]]))
     assert_allclose(small[:2], [0.005 * 4 / 36, 0.005 * 4 / 100], rtol=1e-3)
     assert np.isinf(small[2])
-    turned = finger.changed(yaw_deg=30.0, tilt_deg=(20.0, -15.0))
+    turned = finger.changed(turn_deg=(30.0, 20.0, -15.0))
     shape = tip_shape(turned)
     places = np.random.default_rng(1).uniform(-3, 3, (50, 2))
     heights = tip_heights_mm(shape, places)
@@ -60,7 +60,7 @@ def test_a_sphere_is_the_ellipsoid_of_equal_axes():
 
 def test_depth_counts_from_what_touches_the_face_first():
     """A jaw of 30 mm tilted by 2° hangs over by 5 mm: it touches at the border, and rises from there."""
-    cells = tip_cells(jaw(tilt_deg=(0.0, 2.0)), FACE)
+    cells = tip_cells(jaw(turn_deg=(0.0, 0.0, 2.0)), FACE)
     rise = np.tan(np.deg2rad(2)) * (10 - cells.patches.centre_mm[:, 0])
     assert_allclose(cells.height_mm, rise, rtol=0, atol=1e-3)
     assert_allclose(cells.patches.area_mm2.sum(), 320, rtol=1e-9)

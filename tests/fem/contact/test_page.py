@@ -14,7 +14,7 @@ from tests.support.physics_pages import assert_page
 TIPS = {
     "hemisphere": {"radius_mm": 4.0},
     "flat punch": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.4},
-    "leaning cuboid": {"kind": "cuboid", "size_mm": (5.0, 3.0), "tilt_deg": (3.0, -5.0)},
+    "leaning cuboid": {"kind": "cuboid", "size_mm": (5.0, 3.0), "turn_deg": (0.0, 3.0, -5.0)},
 }
 
 

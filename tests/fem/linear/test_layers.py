@@ -11,7 +11,7 @@ from fem.linear.layers import layer_stiffness
 from fem.linear.material import lame_constants
 from tests.support.mechanics.fem_cases import box_mesh
 
-LAYERS = ({"thickness_mm": 2.0, "modulus_ratio": 5.0}, {"thickness_mm": 1.5, "modulus_ratio": 0.2})
+LAYERS = ((2.0, 5.0), (1.5, 0.2))
 
 
 def pad(**changes):

@@ -12,7 +12,9 @@ from fem.mesh.quality import mesh_quality, require_quality
 from fem.mesh.surfaces import sealed_body_surface
 from fem.mesh.tetrahedra import tetrahedralize
 
-KEYS = {"core": {"keys": {"positions_mm": [[11.0, 11.3], [-11.5, 11.0]], "size_mm": [2.0, 3.0]}}}
+KEYS = {
+    "core": {"keys": {"positions_mm": [[11.0, 11.3], [-11.5, 11.0]], "size_mm": [2.0, 3.0, 1.5]}}
+}
 SLITS = {"shell": {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}}
 
 
@@ -49,7 +51,6 @@ def test_slits_keep_a_press_off_the_neighbouring_face():
                 "edge_mm": 6.0,
                 "surface_edge_mm": 3.0,
                 "rim_edge_ratio": 1.0,
-                "magnet_sides": 8,
             }
         }
         spec = parsed(content | {"shell": {"slits": {"depth_mm": depth}}})

@@ -7,7 +7,7 @@ from scipy.spatial import KDTree
 
 from design.layout.places.positions import magnet_layout, shell_body_layout
 from design.layout.surface import sealed_body_surface, support_rings
-from design.spec.object import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
+from design.spec.object import BodySpec, MagnetSpec, ObjectSpec, ShellSpec
 from fem.mesh.edge_lengths import edge_length_field
 from fem.mesh.surfaces import all_surfaces, body_surfaces, points_in_body
 
@@ -17,7 +17,6 @@ SKEWED = ObjectSpec(
     body=BodySpec(size_mm=(50.0, 46.0, 40.0)),
     shell=ShellSpec(thickness_mm=7.0, pocket_diameter_mm=5.0, pocket_depth_mm=2.5),
     magnets=MagnetSpec(diameter_mm=5.0, positions_mm=((2.0, -1.0), (-9.0, 4.0), (7.0, -9.5))),
-    mesh=MeshSpec(magnet_sides=11),
 )
 BOTH = pytest.mark.parametrize("spec", [PAPER, SKEWED], ids=lambda spec: spec.name)
 

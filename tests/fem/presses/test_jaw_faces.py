@@ -22,7 +22,7 @@ def jaw(rigid_spec, rigid_response):
 
 def tilted_press(spec, response, middle_mm, tilt_deg):
     """The same jaw as an indenter: depth at the middle, tilts about x and y."""
-    jaw = IndenterSpec(kind="cuboid", size_mm=(63.0, 63.0), tilt_deg=tilt_deg)
+    jaw = IndenterSpec(kind="cuboid", size_mm=(63.0, 63.0), turn_deg=(0.0, *tilt_deg))
     # the depth of an indenter counts from what touches first: the lowest corner of the face
     lower = HALF * np.sum(np.tan(np.deg2rad(np.abs(tilt_deg))))
     depth = np.array([middle_mm + lower])

@@ -55,7 +55,7 @@ def frame_of(spec, response, tips, depth_mm, **indenter):
 def grasp(spec, response, tilt, depth):
     """Counts of two jaws on opposite faces, and the press."""
     tips = [Tip(3, 0.0, 0.0), Tip(5, 0.0, 0.0)]
-    jaw = {"kind": "cuboid", "size_mm": (63.0, 63.0), "tilt_deg": tilt}
+    jaw = {"kind": "cuboid", "size_mm": (63.0, 63.0), "turn_deg": (0.0, *tilt)}
     return frame_of(spec, response, tips, depth, **jaw)
 
 

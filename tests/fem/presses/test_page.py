@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from design.spec.silicone import PronyTermSpec
 from fem.presses.compliance_map import compliance_map
 from fem.presses.discretisation import coarser, mesh_difference, sample_presses
 from fem.presses.joint import Tip, press_path, press_tips, refined_faces
@@ -19,7 +18,7 @@ SPEC = coarse_spec(
     magnets={"positions_mm": [[3.0, -6.0], [-7.0, 2.0]]},
     silicone={"youngs_modulus_mpa": 0.4, "poisson_ratio": 0.47},
 )
-PRONY = (PronyTermSpec(fraction=0.3, time_s=2.0), PronyTermSpec(fraction=0.1, time_s=20.0))
+PRONY = ((0.3, 2.0), (0.1, 20.0))
 TIPS = Tip(3, 2.0, -7.0), Tip(3, -4.0, 5.5)
 DEPTHS_MM = np.array([[0.5, 0.3], [1.2, 1.0]])
 

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from design.build.masses import masses_of, total
-from design.spec.silicone import PronyTermSpec
 from design.spec_io import load_spec
 from instobj.commands.twin import contact_spring
 from instobj.stages.run import Run
@@ -41,7 +40,7 @@ def test_stiffness_is_that_of_stored_presses_and_near_that_of_a_layer(store):
 
 def test_damping_is_that_of_the_relaxation():
     spec = tiny_cube()
-    terms = (PronyTermSpec(fraction=0.3, time_s=2e-3),)
+    terms = ((0.3, 2e-3),)
     soft = spec.changed(silicone=spec.silicone.changed(prony=terms))
     spring = contact_spring(Run(soft, checked=False), MASS_G)
     stiffness, mass = 1e3 * spring.n_per_mm, MASS_G / 1e3

@@ -77,9 +77,9 @@ def test_a_search_is_neither_overwritten_nor_mixed_up(tmp_path):
     "changed",
     [
         {"tolerances": {"magnet_seat_mm": 0.4}},
-        {"environment": {"earth_field_ut": 61.0}},
+        {"environment": {"earth_ut": 61.0}},
         {"training": {"epochs": 7}},
-        {"protocol": {"frames_per_press": 77}},
+        {"protocol": {"frames_per_press": (8, 77)}},
         {"printer": {"clearance_mm": 0.3}},
         {"seed": 9},
     ],

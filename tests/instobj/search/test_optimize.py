@@ -213,7 +213,6 @@ name = "small"
 edge_mm = 8.0
 surface_edge_mm = 3.5
 rim_edge_ratio = 1
-magnet_sides = 8
 [contact_grid]
 count = [4, 4]
 pitch_mm = 6.0

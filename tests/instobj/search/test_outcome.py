@@ -47,11 +47,11 @@ def test_the_convergence_is_drawn(tmp_path):
     assert np.ptp(imread(tmp_path / "convergence.png")[..., :3]) > 0.5
 
 
-def test_grades_that_a_search_chose_stand_beside_the_poles():
+def test_sizes_that_a_search_chose_stand_beside_the_poles():
     places = {"positions_mm": [[8, 8], [-8, -8]]}
     start = parse_spec({"name": "a", "magnets": places}, "made up")
     chosen = places | {"grade": ["N35", "N52"], "north": ["outward", "inward"]}
-    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
+    search = {"vary": {"magnet_sizes": ["D6x1", "D5x1"]}}
     found = parse_spec({"name": "b", "magnets": chosen, "search": search}, "made up")
     told = moves.moved_parts(start, found)
     norths = [row[-1] for row in told["moves"] if row[0].startswith("magnet")]

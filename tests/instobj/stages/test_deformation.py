@@ -141,7 +141,7 @@ def test_without_presses_the_envelope_is_named_as_orientation():
 @pytest.mark.slow
 def test_presses_are_made_and_their_correction_fitted(tmp_path, monkeypatch):
     spec = with_correction(
-        mesh={"surface_edge_mm": 2.2, "edge_mm": 6.0, "rim_edge_ratio": 1.0, "magnet_sides": 8},
+        mesh={"surface_edge_mm": 2.2, "edge_mm": 6.0, "rim_edge_ratio": 1.0},
         press={"depths_mm": [0.8, 1.2]},
     )
     places = [(0.0, 0.0), (6.0, 3.0), (13.5, 13.5)]

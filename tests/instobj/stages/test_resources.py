@@ -33,7 +33,7 @@ def spec_with(**parts):
             "collection.presses",
         ),
         ("collection", {"collection": {"frames_per_case": 10**7}}, "collection.frames_per_case"),
-        ("frames", {"protocol": {"frames_per_press": 10**6}}, "protocol.frames_per_press"),
+        ("frames", {"protocol": {"frames_per_press": (8, 10**6)}}, "protocol.frames_per_press"),
         ("networks", {"training": {"hidden_units": [10**6, 10**6]}}, "training.hidden_units"),
     ],
 )

@@ -35,8 +35,7 @@ SPEC = coarse_spec(
     contact_grid={"count": (4, 4), "pitch_mm": 6.0},
     protocol={
         "presses_per_place": 6,
-        "frames_per_press": 12,
-        "rest_frames_per_press": 3,
+        "frames_per_press": (3, 12),
         "peak_force_n": (6.0, 9.0),
     },
     training={"twins": 5},

@@ -34,9 +34,7 @@ def paper_cube(magnets, edges_mm, poisson_ratio=0.4999):
     return ObjectSpec(
         name="cube",
         silicone=SiliconeSpec(youngs_modulus_mpa=YOUNGS_MODULUS_MPA, poisson_ratio=poisson_ratio),
-        mesh=MeshSpec(
-            surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1], rim_edge_ratio=1.0, magnet_sides=8
-        ),
+        mesh=MeshSpec(surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1], rim_edge_ratio=1.0),
         mechanics=MechanicsSpec(magnets=magnets),
         press=PressSpec(depths_mm=tuple(DEPTHS_MM.tolist())),
     )

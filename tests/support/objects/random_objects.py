@@ -203,13 +203,13 @@ def _box_only(draw, thickness: float, narrow: float) -> dict[str, dict[str, Any]
     at = round(narrow - 1.05, 2)
     corner = st.tuples(*[st.sampled_from([-at, at])] * 2)
     chosen = {
-        ("core", "keys"): {"positions_mm": [draw(corner)], "size_mm": [2, 2], "height_mm": 0.8},
+        ("core", "keys"): {"positions_mm": [draw(corner)], "size_mm": [2, 2, 0.8]},
         ("shell", "slits"): {
             "depth_mm": draw(between(1.0, 0.9 * thickness)),
             "width_mm": draw(between(0.5, 1.5)),
         },
         ("shell", "seal_layer_mm"): draw(between(0.2, 0.6)),
-        ("core", "wire_channel_width_mm"): draw(between(0.8, 1.6)),
+        ("core", "wire_channel_mm"): [draw(between(0.8, 1.6)), 1.0],
     }
     more: dict[str, dict[str, Any]] = {"core": {}, "shell": {}}
     for (table, key), value in chosen.items():

@@ -17,7 +17,6 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
                 "surface_edge_mm": 3.5,
                 "edge_mm": 8.0,
                 "rim_edge_ratio": 1.0,
-                "magnet_sides": 8,
                 "envelope_mm": 0.03,
             },
             "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},

@@ -18,7 +18,6 @@ MESHED = (
     "mesh.edge_mm=8.0",
     "mesh.surface_edge_mm=3.0",
     "mesh.rim_edge_ratio=1",
-    "mesh.magnet_sides=8",
     "mesh.envelope_mm=0.1",
 )
 """What makes the mesh of the small cube from the paper's."""

@@ -51,9 +51,8 @@ OBJECTS = {
     "box": _object(
         _OBLONG,
         core={
-            "keys": {"positions_mm": [[10.5, -10.0]], "size_mm": [2.0, 1.5], "height_mm": 1.1},
-            "wire_channel_width_mm": 1.5,
-            "wire_channel_depth_mm": 0.8,
+            "keys": {"positions_mm": [[10.5, -10.0]], "size_mm": [2.0, 1.5, 1.1]},
+            "wire_channel_mm": [1.5, 0.8],
             "bay_mm": [15.0, 16.0, 12.0],
         },
         shell={**_SLITS, "seal_layer_mm": 0.4},
@@ -84,8 +83,8 @@ OBJECTS = {
     "cylinder": _object(
         {"kind": "cylinder", "size_mm": [46.0, 46.0, 54.0]},
         core={
-            "keys": {"positions_mm": [[11.0, 6.0]], "size_mm": [2.0, 1.5], "height_mm": 1.1},
-            "wire_channel_width_mm": 1.5,
+            "keys": {"positions_mm": [[11.0, 6.0]], "size_mm": [2.0, 1.5, 1.1]},
+            "wire_channel_mm": [1.5, 1.0],
             "bay_mm": [9.0, 10.0, 12.0],
         },
         shell=_SLITS,

@@ -150,7 +150,7 @@ def test_each_of_two_tips_lands_on_a_cylinder():
     spec = body_spec("cylinder", indenter=tips)
     side = next(frame for frame in face_frames(spec) if not frame.flat)
     straight = side.ends.index(True)
-    spec = spec.changed(indenter=spec.indenter.changed(yaw_deg=90.0 * straight))
+    spec = spec.changed(indenter=spec.indenter.changed(turn_deg=(90.0 * straight, 0.0, 0.0)))
     half, way = side.half_lengths_mm[straight], np.eye(2)[straight]
     places = np.outer([0.0, half - 10.5, half - 9.5], way)
     assert tip_stays(spec, side, places).tolist() == [True, True, False]

@@ -42,15 +42,20 @@ FILLED = {
     "dome": {"pitch_mm": 3.7},
 }
 TIPS = {
-    "hemisphere": {"radius_mm": 3.5, "tip_count": 2, "yaw_deg": 30.0},
-    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "tilt_deg": [4.0, -6.0]},
-    "cuboid": {"kind": "cuboid", "size_mm": [6.0, 4.0], "yaw_deg": 25.0, "tip_count": 3},
+    "hemisphere": {"radius_mm": 3.5, "tip_count": 2, "turn_deg": (30.0, 0.0, 0.0)},
+    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "turn_deg": (0.0, 4.0, -6.0)},
+    "cuboid": {
+        "kind": "cuboid",
+        "size_mm": [6.0, 4.0],
+        "turn_deg": (25.0, 0.0, 0.0),
+        "tip_count": 3,
+    },
     "rounded cuboid": {"kind": "cuboid", "size_mm": [6.0, 4.0], "fillet_mm": 1.0},
     "cylinder": {
         "kind": "cylinder",
         "radius_mm": 2.0,
         "size_mm": (7.0, 9.0),
-        "tilt_deg": [0.0, 5.0],
+        "turn_deg": (0.0, 0.0, 5.0),
     },
     "stl": {
         "kind": "stl",

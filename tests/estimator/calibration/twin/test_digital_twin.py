@@ -33,8 +33,7 @@ SPEC = coarse_spec(
     contact_grid={"count": (7, 7), "pitch_mm": 3.5},
     protocol={
         "presses_per_place": 6,
-        "frames_per_press": 12,
-        "rest_frames_per_press": 3,
+        "frames_per_press": (3, 12),
         "peak_force_n": (6.0, 9.0),
         "lateral_jitter_mm": 0.0,
     },
