@@ -230,6 +230,8 @@ def read_arrays(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]
     StoreError
         Not NetCDF, damaged, or foreign and refused; the text says what is wrong.
     """
+    if not Path(path).stat().st_size:
+        raise StoreError("it is empty")
     with _damage_told():
         if is_own(np.memmap(path, np.uint8, "r")):
             return _read_own(path)

@@ -46,15 +46,15 @@ def is_foxglove(target: Path | None) -> bool:
     return target is not None and (target.suffix == ".mcap" or _port(target) is not None)
 
 
-def new_mcap_file(out: Path | None, stem: str) -> Path | None:
-    """Return the MCAP file that frames of a recording go to; None where `out` is a folder or none.
+def new_mcap_file(out: Path, stem: str) -> Path | None:
+    """Return the MCAP file that frames of a recording go to; None where `out` is a folder.
 
     Raises
     ------
     InputError
         The file is there already, or the target shows a board live.
     """
-    if out is None or not is_foxglove(out):
+    if not is_foxglove(out):
         return None
     if out.suffix != ".mcap" or out.exists():
         why = "exists already" if out.exists() else "shows the frames of a board live"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
@@ -70,9 +72,19 @@ def order_row(line: OrderLine) -> tuple[object, ...]:
     return tuple(getattr(line, name) for name in ORDER_COLUMNS)
 
 
-def cost_eur(lines: list[OrderLine]) -> tuple[float, float]:
-    """Least and most that all lines cost together."""
-    return sum(line.low_eur for line in lines), sum(line.high_eur for line in lines)
+def load_orders(path: Path) -> list[OrderLine]:
+    """Read what `write_orders` wrote."""
+    with path.open(newline="", encoding="utf-8") as file:
+        return [
+            OrderLine(part, maker, number, int(pieces), int(packs), float(low), float(high), *texts)
+            for part, maker, number, pieces, packs, low, high, *texts in list(csv.reader(file))[1:]
+        ]
+
+
+def price_text(lines: Sequence[OrderLine]) -> str:
+    """Say what all lines cost together, at least and at most."""
+    low, high = sum(line.low_eur for line in lines), sum(line.high_eur for line in lines)
+    return f"{low:.0f} to {high:.0f} EUR, estimated {lines[0].priced} without shipping"
 
 
 def _electronics(spec: ObjectSpec, plan: BusPlan) -> list[OrderLine]:

@@ -33,7 +33,7 @@ from estimator.frames.face_data import (
 )
 from estimator.networks.prediction import UNITS, Prediction
 
-_ADVICE = "Give a file that `instobj train --export` wrote"
+_ADVICE = "Give a file that `instobj train --export` wrote, or contacts.nc of `instobj train SPEC`"
 
 
 @dataclass(frozen=True)
@@ -107,6 +107,8 @@ def open_session(path: Path) -> Any:
     import onnxruntime
 
     content = path.read_bytes()
+    if not content.strip():
+        raise InputError(f"{path} is empty, not a model. {_ADVICE}")
     _require_self_contained(path, content)
 
     options = onnxruntime.SessionOptions()
@@ -115,11 +117,8 @@ def open_session(path: Path) -> Any:
     options.log_severity_level = 4
     try:
         return onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
-    except Exception as error:  # onnxruntime's errors share no base class of their own
-        reason = str(error).splitlines()[0][:120]
-        raise InputError(
-            f"{path} is not an ONNX file that onnxruntime reads ({reason}). {_ADVICE}"
-        ) from None
+    except Exception:  # onnxruntime's errors share no base class of their own
+        raise InputError(f"{path} is no model that onnxruntime can read. {_ADVICE}") from None
 
 
 def _require_self_contained(path: Path, content: bytes) -> None:
@@ -129,7 +128,7 @@ def _require_self_contained(path: Path, content: bytes) -> None:
     try:
         waiting: list[Any] = [onnx.load_model_from_string(content)]
     except Exception:  # protobuf's DecodeError, whose package comes with onnx
-        raise InputError(f"{path} is not an ONNX file. {_ADVICE}") from None
+        raise InputError(f"{path} is no model (not an ONNX file). {_ADVICE}") from None
     while waiting:
         message = waiting.pop()
         if isinstance(message, onnx.TensorProto) and message.external_data:

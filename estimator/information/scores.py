@@ -150,25 +150,6 @@ class WeakestPlace:
     direction_deg: float
 
 
-@dataclass(frozen=True)
-class AreaSummary:
-    """Medians of scores over one kind of place, and their ratios to the centre's.
-
-    `places_per_face` (face,) counts them.
-    """
-
-    area: Area
-    places_per_face: tuple[int, ...]
-    medians: dict[str, float]
-    ratio_to_centre: dict[str, float]
-
-    @property
-    def places(self) -> int | str:
-        """Their number on each face, or its range."""
-        least, most = min(self.places_per_face), max(self.places_per_face)
-        return most if least == most else f"{least} to {most}"
-
-
 def score_places(
     spec: ObjectSpec, signals: Signals, progress: Callable[[str], None] | None = None
 ) -> PlaceScores:
@@ -342,33 +323,6 @@ def end_frames(on_face: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray
     """Places that have no neighbour on one side or the other along an axis."""
     padded = np.pad(np.moveaxis(on_face, axis, 0), ((1, 1), (0, 0)))
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
-
-
-def summarize_areas(scores: PlaceScores) -> tuple[AreaSummary, ...]:
-    """Medians per area over all faces; areas without a contact location are left out."""
-    names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
-    names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
-    medians, counts = {}, {}
-    for area in AREAS:
-        in_area = np.stack(
-            [area_places(scores.grid, area, places_of_face) for places_of_face in scores.places]
-        )
-        in_area &= scores.judged
-        if in_area.any():
-            counts[area] = tuple(in_area.sum(axis=1).tolist())
-            medians[area] = {
-                name: float(np.median(getattr(scores, name)[in_area])) for name in names
-            }
-    central = medians.get("centre", dict.fromkeys(names, np.nan))
-    return tuple(
-        AreaSummary(
-            area,
-            counts[area],
-            places_of_face,
-            {name: value / central[name] for name, value in places_of_face.items()},
-        )
-        for area, places_of_face in medians.items()
-    )
 
 
 _UNITS = {

@@ -35,8 +35,8 @@ class Third:
     """The locations with the smallest, middle or largest values of a measure; equal values stay
     together, so that thirds may be uneven, or two.
 
-    `bound_mm` is the median of their position bounds (fresh baseline), `over_all` its ratio to the
-    median over all locations of the object, `weak_bound_mm` the 95th percentile of their bounds.
+    `bound_mm` is the 95th percentile of their position bounds (fresh baseline): medians hide what is
+    weak. Of the paper's cube only the middles of edges are, a third of its edges.
     """
 
     measure: Measure
@@ -44,8 +44,6 @@ class Third:
     high: float
     places: int
     bound_mm: float
-    over_all: float
-    weak_bound_mm: float
 
 
 @dataclass(frozen=True)
@@ -76,13 +74,11 @@ class WeakAreas:
 
     @property
     def edge_ratio(self) -> float:
-        """Edge-area sensitivity: 95th percentile of the bounds of the third nearest the border, over that of
-        the innermost third.
+        """Bound that 95 % of the locations keep in the third nearest the border, over that of the innermost.
 
-        Medians hide what is weak: of the paper's cube only the middles of edges are, a third of its edges.
         NaN where all locations lie equally far from the border.
         """
-        bounds = [third.weak_bound_mm for third in self.thirds if third.measure == "border_mm"]
+        bounds = [third.bound_mm for third in self.thirds if third.measure == "border_mm"]
         return bounds[0] / bounds[-1] if bounds else float("nan")
 
     @property
@@ -113,17 +109,22 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
         value = getattr(measures, name)[judged]
         if len(np.unique(value.round(_DIGITS))) < 2:
             continue
-        ranks = np.corrcoef(rankdata(bound), rankdata(value.round(_DIGITS)))
-        correlation[name] = float(ranks[0, 1]) if np.ptp(bound) > 0 else 0.0
+        # Spearman's correlation: Pearson's of the ranks; equal bounds have none, and count as 0
+        correlation[name] = 0.0
+        if len(np.unique(bound)) > 1:
+            ranks = np.corrcoef(rankdata(bound), rankdata(value.round(_DIGITS)))
+            correlation[name] = float(ranks[0, 1])
         tenth[name] = float(np.median(value[weakest]))
         for some in thirds_of(value):
-            median = float(np.median(bound[some]))
             limits = float(value[some].min()), float(value[some].max())
-            over_all = median / float(np.median(bound))
-            # "lower" picks a bound that exists: nothing between a finite and an infinite one
-            weak = float(np.quantile(bound[some], 0.95, method="lower"))
-            thirds.append(Third(name, *limits, int(some.sum()), median, over_all, weak))
+            thirds.append(Third(name, *limits, int(some.sum()), bound_of_most(bound[some])))
     return WeakAreas(measures, correlation, tuple(thirds), tenth)
+
+
+def bound_of_most(bound_mm: Float[np.ndarray, "n"]) -> float:
+    """Return the bound (mm) that 95 % of the locations keep."""
+    # "lower" picks a bound that exists: nothing between a finite and an infinite one
+    return float(np.quantile(bound_mm, 0.95, method="lower"))
 
 
 def thirds_of(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:

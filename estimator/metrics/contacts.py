@@ -174,7 +174,7 @@ def _row(
         "ghosts a frame": _rounded((ghosts.sum() + far.sum()) / frames, 3),
         "distance mm": _rounded(_mean(distance), 3),
         "95th percentile mm": _rounded(np.quantile(distance, 0.95) if len(distance) else np.nan, 3),
-        "possible mm": None if possible_mm is None else _rounded(_mean(possible_mm[chosen]), 3),
+        "bound mm": None if possible_mm is None else _rounded(_mean(possible_mm[chosen]), 3),
         "total force N": _rounded(np.abs(matched.total_error_n[chosen]).mean(), 3),
         "each force N": _rounded(_mean(np.abs(matched.force_error_n[pairs])), 3),
         "place in 90 % region %": _rounded(100 * _mean(matched.place_covered[pairs]), 1),

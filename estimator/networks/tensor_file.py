@@ -50,8 +50,8 @@ def load_tensors(path: Path, advice: str) -> tuple[Any, dict[str, Tensor]]:
         with safe_open(path, framework="pt") as file:
             metadata = file.metadata() or {}
             tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-    except (SafetensorError, OSError) as error:
-        raise StoreError(f"{path} is not a safetensors file ({error}). {advice}") from None
+    except (SafetensorError, OSError):
+        raise StoreError(f"{path} is not a safetensors file, or is damaged. {advice}") from None
     sealed_content(path, advice)
     try:
         return json.loads(metadata["instobj"]), tensors

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Bool, Float, Float32
 
-from design.files import reserve_room
+from design.files import atomic_path, reserve_room
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
@@ -68,6 +69,18 @@ class PressesAtForce:
     deepest_n: Float[np.ndarray, "place"]
 
 
+def _kept(folder: Path, face: int, make: Callable[[], PressesAtForce]) -> PressesAtForce:
+    """Return the presses of a face that the folder holds, else make and keep them."""
+    path = folder / f"presses_face_{face}.npz"
+    if path.is_file():
+        with np.load(path) as stored:
+            return PressesAtForce(**stored)
+    presses = make()
+    with atomic_path(path) as temporary, temporary.open("wb") as file:
+        np.savez_compressed(file, **vars(presses))  # most vertices are beside the contact: zeros
+    return presses
+
+
 def simulate_candidates(
     spec: ObjectSpec,
     mesh: TetMesh,
@@ -76,12 +89,14 @@ def simulate_candidates(
     folder: Path | str,
     force_shares: Sequence[float] = FORCE_SHARES,
     progress: Progress | None = None,
+    unfinished: Path | None = None,
 ) -> CandidateMotions:
     """Press every place of the lattice on a magnet-free mesh, record every candidate, write the folder.
 
     Presses go to `force_shares` of every one of `spec.scoring_forces_n`, or of less where the deepest
     simulated press does not reach the largest share. Between simulated depths pressures are interpolated
-    linearly: forces and equilibrium stay exact. A slip of the core is left out.
+    linearly: forces and equilibrium stay exact. A slip of the core is left out. Contact of each face is
+    kept in the folder `unfinished`, from which a run that was broken off goes on.
 
     Raises
     ------
@@ -93,7 +108,8 @@ def simulate_candidates(
     spec = without_magnets(spec)
     presses = []
     for index, surface in enumerate(response.surfaces):
-        presses.append(presses_at_forces(spec, response, index, force_shares))
+        make = partial(presses_at_forces, spec, response, index, force_shares)
+        presses.append(make() if unfinished is None else _kept(unfinished, surface.number, make))
         if progress:
             progress(f"face {surface.number}: contact at {len(presses[-1].force_n)} places")
     has_place = pressed_nodes(spec)

@@ -92,11 +92,13 @@ def new(
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
     from instobj.commands.new import new_specification, placed_text, request_of, size_of
+    from instobj.commands.next_step import next_step
 
     size_mm = None if size is None else size_of(size, kind)
     request = request_of(kind, size_mm, sensors, magnets, file, scale)
     written = new_specification(name, out, request)
-    typer.echo(f"wrote {written}\n{placed_text(written, request)}\nnext  instobj check {written}")
+    text = placed_text(written, request)
+    typer.echo(f"wrote {written}\n{text}\nnext: {next_step('new', written)}")
 
 
 @app.command(rich_help_panel=KEEP)
@@ -123,6 +125,7 @@ def check(
     overrides: Overrides = None,
 ) -> None:
     """Validate specifications: keys, bounds, whether everything fits, and sensors at rest."""
+    from instobj.commands.next_step import next_step
     from instobj.commands.run import check_specifications
 
     result = check_specifications(specs, overrides or [])
@@ -130,8 +133,10 @@ def check(
         from instobj.commands.run import fabrication_of
 
         result["fabrication"] = fabrication_of(specs, overrides or [], out)
-    show(result, as_json)
-    if any(item["status"] == "fail" for item in result.get("fabrication", ())):
+    failed = any(item["status"] == "fail" for item in result.get("fabrication", ()))
+    done = "check failed" if failed else "check"
+    show(result | {"next": next_step(done, *specs, overrides=overrides or [])}, as_json)
+    if failed:
         raise typer.Exit(1)
 
 
@@ -146,9 +151,9 @@ def build(
     overrides: Overrides = None,
 ) -> None:
     """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet."""
-    from instobj.commands.run import run_chain
+    from instobj.commands.run import build_objects
 
-    result = run_chain(specs, ("sheet",), out, overrides or [])
+    result = build_objects(specs, out, overrides or [])
     if twin:
         from instobj.commands.twin import write_twins
 

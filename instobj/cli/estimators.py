@@ -100,12 +100,11 @@ def predict(
         int | None, typer.Option(min=1, help="With --port: stop after this many frames.")
     ] = None,
     out: Annotated[
-        Path | None,
+        Path,
         typer.Option(
-            help="Folder that gets runs/<name>/ with the predictions (default: beside the file); "
-            "NAME.mcap, or with --port foxglove[:PORT], shows contacts in Foxglove."
+            help="Folder for runs/; NAME.mcap, or with --port foxglove[:PORT], shows contacts in Foxglove."
         ),
-    ] = None,
+    ] = HERE,
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
@@ -137,7 +136,7 @@ def predict(
         show(in_file(model, file, out, zeroing), as_json)
     elif board is not None:
         lines = on_port(model, board, zeroing, frames, baud)
-        if out is not None and is_foxglove(out):
+        if is_foxglove(out):
             from instobj.commands.contacts import shown_in_foxglove
 
             lines = shown_in_foxglove(lines, model, out)

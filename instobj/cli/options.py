@@ -107,13 +107,13 @@ def show(result: dict[str, Any], as_json: bool) -> None:
 TARGETS = {
     "mesh": "mesh",
     "presses": "signals discretisation",
-    "scores": "scores weak_areas discretisation",
+    "scores": "scores weak_areas press_curves discretisation",
     "compliance": "compliance",
     "identify": "identify",
     "robustness": "robustness",
     "slip": "slip",
     "frames": "frames",
-    "verdict": "alternatives press_curves robustness scores weak_areas",
+    "verdict": "scores weak_areas press_curves robustness alternatives",
     "report": "report",
 }
 """Results that `instobj run --to` names, and the stages that make them."""
@@ -128,14 +128,14 @@ def run_to(
     workers: str = "1",
 ) -> None:
     """Bring specifications to stages (separated by blanks) and print what came out."""
-    from instobj.commands.run import run_chain, simulate_recordings
+    from instobj.commands.run import run_to_target, simulate_recordings
 
     number, scheduler = workers_and_scheduler(workers)
     if stages == "frames":
         show(simulate_recordings(specs, out, overrides or [], number, scheduler), as_json)
     else:
         chain = tuple(stages.split())
-        show(run_chain(specs, chain, out, overrides or [], number, scheduler), as_json)
+        show(run_to_target(specs, chain, out, overrides or [], number, scheduler), as_json)
 
 
 def port_and_baud(port: str | None) -> tuple[str | None, int]:

@@ -14,15 +14,12 @@ from rich.console import Console
 from rich.table import Table
 
 from instobj.report.cells import shown, turned
-from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
+from instobj.report.verdict import SCORES_TITLE
 from instobj.store import readers
 
-HEADLINES = (
-    ("verdict", "not judged"),
-    (AREAS_TITLE, "read worse than the bound", "not judged", "discretisation error"),
-)
-"""Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
+HEADLINES = ("verdict", SCORES_TITLE, "read worse than the bound", "not judged")
+"""Titles of a summary with a verdict that a terminal shows; the rest is in `--json`."""
 _MOST_COLUMNS = 12
 _LONGEST_WORD = 16
 _NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
@@ -56,6 +53,8 @@ def print_result(result: dict[str, Any]) -> None:
     for item in result.get("objects", ()):
         console.rule(item["name"])
         _print_summary(console, _headlines(item["summary"]))
+        if item is result["objects"][-1]:
+            _print_next(console, result)
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
@@ -69,8 +68,13 @@ def print_result(result: dict[str, Any]) -> None:
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
+    if not result.get("objects"):
+        _print_next(console, result)
+
+
+def _print_next(console: Console, result: dict[str, Any]) -> None:
     if "next" in result:
-        console.print(f"next  {result['next']}", soft_wrap=True)
+        console.print(f"next: {result['next']}", soft_wrap=True)
 
 
 def _print_findings(console: Console, item: dict[str, Any]) -> None:
@@ -107,11 +111,14 @@ def _place(place_mm: list[float]) -> str:
 
 
 def _headlines(summary: dict[str, Any]) -> dict[str, Any]:
-    """Return what decides something: the verdict, else the bounds by area, else all there is."""
-    for titles in HEADLINES:
-        if titles[0] in summary:
-            return {title: summary[title] for title in titles if title in summary}
-    return summary
+    """Return what decides something where there is a verdict, else all there is.
+
+    A run's verdict says what to change and its page has the scores; a score's verdict stands with them.
+    """
+    if "verdict" not in summary:
+        return summary
+    left_out = SCORES_TITLE if "what to change" in summary["verdict"] else None
+    return {title: summary[title] for title in HEADLINES if title in summary and title != left_out}
 
 
 def _print_summary(console: Console, summary: dict[str, Any]) -> None:

@@ -19,6 +19,7 @@ from instobj.commands.adopt_fit import (
     fit_specification,
     why_not_fitted,
 )
+from instobj.commands.next_step import next_step
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.store.stage import write_json
@@ -79,14 +80,15 @@ def adopt_logs(
             with atomic_path(fitted) as temporary:
                 temporary.write_text(text, encoding="utf-8")
             files.append(fitted)
+            further = {"next": next_step("adopt", fitted)}
             if complaint := complaint_about(text, fitted):
+                further = {"next": next_step("new", fitted)}
                 texts.append(f"{fitted.name} does not pass `instobj check`: {complaint}")
             else:
                 from instobj.commands.first_layout import gain_text  # loads torch
 
                 with progress.stage("a better layout of the same parts"):
                     texts.append(gain_text(tomllib.loads(text)))
-                further = {"next": f"instobj score {fitted}"}
     write_json(document, target / "adoption.json")
     questions = open_questions(identified, answers, spec is not None)
     return {
@@ -101,13 +103,13 @@ def adopt_logs(
 
 
 def _adopt_folders(
-    folders: list[Path], spec: ObjectSpec | None, given: Path | None
+    folders: list[Path], spec: ObjectSpec | None, path: Path | None
 ) -> dict[str, Any]:
     """Find the chips' order in folders of presses of known travel: `instobj validate` does the rest."""
     from estimator.adoption.sinking import order_by_sinking
     from estimator.recordings.formats.travel import read_travel
 
-    if spec is None:
+    if spec is None or path is None:
         raise InputError(
             "a folder of sensor.csv and states.csv names its places and travels; the order of its chips is "
             "found with --spec FILE"
@@ -126,7 +128,7 @@ def _adopt_folders(
         "adoption": {"findings": [{"log": name} | asdict(finding) for name, finding in findings]},
         "texts": [line for name, finding in findings for line in (name, f"  {finding}")],
         "questions": [],
-        "next": f"instobj validate {given} {folders[0]}",
+        "next": next_step("adopt order", path, folders[0]),
     }
 
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
-from estimator.information.scores import PlaceScores, area_places, weakest_place
+from estimator.information.scores import PlaceScores, weakest_place
+from estimator.information.weak_areas import bound_of_most, weak_areas
 from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, run_folder
 from instobj.store.readers import SCORES
@@ -33,8 +34,6 @@ def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
     """Scores of one object as tables show them."""
     judged, weakest = scores.judged, weakest_place(scores)
     bound = scores.position_bound_mm[judged]
-    mid_edge = np.stack([area_places(scores.grid, "mid_edge", places) for places in scores.places])
-    at_mid_edge = scores.position_bound_mm[mid_edge & judged]
     return {
         "object": spec.name,
         "press N": spec.score.force_n,
@@ -42,9 +41,10 @@ def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
         "surface covered %": round(100 * covered_share(spec)),
         "bounds read": spec.score.channels,
         "place mm": float(np.median(bound)),
-        "place at mid-edge mm": float(np.median(at_mid_edge)) if len(at_mid_edge) else float("nan"),
+        "place, 95 % below mm": bound_of_most(bound),
         "weakest place mm": weakest.position_bound_mm,
         "on face": weakest.face,
+        "edge ratio": weak_areas(spec, scores).edge_ratio,
         "places within limit %": round(
             100 * float(np.mean(bound <= spec.limits.position_bound_mm)), 1
         ),

@@ -12,9 +12,11 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.commands.compare import comparison_picture
+from instobj.commands.next_step import verdict_step
 from instobj.commands.run import run_chain
 from instobj.report.cells import turned
 from instobj.report.pages import write_page
+from instobj.report.remedies import DESIGN_STAGES
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows
 from instobj.store.readers import RESPONSE, SCENE, SCORES, STILL
@@ -41,7 +43,7 @@ def score_designs(
                 f"--also {word!r} is not known. Give --also shear, --also jaw, or both"
             )
     sheared = ("shear_scores",) if "shear" in also else ()
-    stages = ("scores", "weak_areas", *sheared, "discretisation")
+    stages = (*DESIGN_STAGES, *sheared, "discretisation")
     compared = 1 < len(paths) <= MOST
     result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)
     for path in paths if "jaw" in also else ():
@@ -50,6 +52,7 @@ def score_designs(
             f"{run.spec.name}: a flat jaw over each face at {run.spec.score.force_n:g} N, and tips"
         )
         result.setdefault("tables", {})[title] = jaw_rows(run)
+    result["next"] = verdict_step("score", paths, out, overrides, result)
     if not compared:
         return result
     specs = [load_spec(path, overrides) for path in paths]

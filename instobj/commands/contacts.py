@@ -47,13 +47,11 @@ COLUMNS: tuple[str, ...] = (
 )
 
 
-def contacts_in_file(
-    model_path: Path, path: Path, out: Path | None, zeroing: Zeroing
-) -> dict[str, Any]:
-    """Read every frame of a file; writes `<stem>.contacts.csv` next to it, one row per contact.
+def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) -> dict[str, Any]:
+    """Read every frame of a file; writes `out/runs/<name>/contacts.csv`, one row per contact.
 
-    With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says. Where `out` is an
-    MCAP file, frames go there too (`instobj.robot.foxglove_channels`).
+    `run_name` gives the name. Where `out` is an MCAP file, frames go there too
+    (`instobj.robot.foxglove_channels`), and the table to its folder.
 
     Frames of a data set are read one by one, with the next best answer; those of a recording are
     zeroed and tracked like a board's. A data set with labels is judged too.
@@ -65,7 +63,7 @@ def contacts_in_file(
     """
     inversion = load_inversion(model_path)
     mcap = new_mcap_file(out, path.stem)
-    target = prediction_path("contacts.csv", path, None if mcap else out)
+    target = prediction_path("contacts.csv", path, mcap.parent if mcap else out)
     judged: list[dict[str, Any]] = []
     texts: list[str] = []
     if is_data_set(path):

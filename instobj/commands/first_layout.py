@@ -33,8 +33,8 @@ from estimator.layouts.without_mesh import (
     coarse,
     first_score,
 )
-from instobj.commands.outlook import percent_text
 from instobj.commands.run import check
+from instobj.report.cells import percent_text
 
 BRIEF = 2
 """Rounds of walks where layouts are compared that are not taken."""

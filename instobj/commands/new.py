@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import difflib
 import re
+import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, islice
 from math import inf
@@ -47,6 +49,7 @@ from instobj.commands.outlook import (
     with_edges_that_fit,
 )
 from instobj.commands.specification_file import specification_text
+from instobj.store.progress import ProgressLine
 from instobj.store.publish import require_writable
 
 Made = tuple[Tables, list[Finding]]
@@ -108,9 +111,11 @@ def new_specification(
 def placed_text(path: Path, request: Request | None = None) -> str:
     """Say in few lines what a written specification holds, the bounds to expect, which parts would bring
     them within the limit where they were placed by a `request`, and what the next step takes."""
-    spec = load_spec(path, [])
+    spec, helps = load_spec(path, []), ""
     score = first_score(spec)
-    helps = "" if request is None else parts_that_help(request, spec, score)
+    if request is not None:
+        with _timed_stage(ProgressLine(), "what more parts would bring"):
+            helps = parts_that_help(request, spec, score)
     lines = (
         f"{spec!r}".removeprefix("ObjectSpec "),
         chosen_text(spec, placed=request is not None),
@@ -156,23 +161,43 @@ def designed(request: Request) -> Made:
     The most generous shell that takes everything is the start; where what is found under it cannot be
     made, what rules place so that it can.
     """
-    placed = next(placements(request))
-    best = _first_that_can_be_made(scored_first(request, placed), _OF_THE_BODY)
+    progress = ProgressLine()
+    with _timed_stage(progress, "places by rules"):
+        placed = next(placements(request))
+    best = _first_that_can_be_made(scored_first(request, placed), _OF_THE_BODY, progress)
     if best is not None and _checks(best) <= _OF_THE_BODY:
         return best
-    by_rules = made(request)
+    with _timed_stage(progress, "other shells and seams, checked for fabrication"):
+        by_rules = made(request)
     if by_rules[0] != placed:
-        best = _first_that_can_be_made(scored_first(request, by_rules[0]), _checks(by_rules))
+        layouts = scored_first(request, by_rules[0])
+        best = _first_that_can_be_made(layouts, _checks(by_rules), progress)
     return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
 
 
-def _first_that_can_be_made(layouts: Iterable[Tables], but: set[str]) -> Made | None:
+@contextmanager
+def _timed_stage(progress: ProgressLine, title: str) -> Iterator[None]:
+    """Show a stage while it works, and afterwards its time."""
+    began = time.perf_counter()
+    with progress.stage(title):
+        yield
+    progress.say(f"{title}: {time.perf_counter() - began:.0f} s")
+
+
+def _first_that_can_be_made(
+    layouts: Iterator[Tables], but: set[str], progress: ProgressLine
+) -> Made | None:
     """The first of some layouts of which nothing fails `but` these checks, else that with the fewest
     failures; None of none."""
     best: Made | None = None
-    for tables in layouts:
-        # a wall that numbers find thin may be thick enough as a solid
-        checked = _checked_seams(tables) or _checked(islice(seams_of(tables), 1))
+    while True:
+        with _timed_stage(progress, "better places for magnets and sensors"):
+            tables = next(layouts, None)
+        if tables is None:
+            break
+        with _timed_stage(progress, "checks of fabrication"):
+            # a wall that numbers find thin may be thick enough as a solid
+            checked = _checked_seams(tables) or _checked(islice(seams_of(tables), 1))
         if checked is not None and (best is None or len(checked[1]) < len(best[1])):
             best = checked
         if best is not None and _checks(best) <= but:

@@ -10,6 +10,7 @@ from design.placement.objects import (
 )
 from design.spec.object import ObjectSpec
 from estimator.layouts.without_mesh import FirstScore, first_score
+from instobj.report.cells import percent_text
 from instobj.stages.resources import needed_gib, require_memory, search_seconds
 
 MOST_GIB = 12.0
@@ -73,11 +74,6 @@ def memory_text(spec: ObjectSpec) -> str:
     except InputError as error:
         return f"this cannot be scored here: {error}"
     return ""
-
-
-def percent_text(share: float) -> str:
-    """Whole per cent, but all only where it is all."""
-    return f"{min(round(100 * share), 99) if share < 1 else 100} %"
 
 
 def next_step_text(spec: ObjectSpec) -> str:

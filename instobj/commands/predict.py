@@ -53,12 +53,11 @@ _DIGITS = {"frame": 0, "time_s": 6, "contact": 4}
 
 
 def predict_file(
-    model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = FOLLOW_REST
+    model_path: Path, path: Path, out: Path = Path(), zeroing: Zeroing = FOLLOW_REST
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` next to it.
+    """Read every frame of a file; writes `out/runs/<name>/prediction_face_<n>.csv`, named by `run_name`.
 
-    With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
-    in a folder of their own (`own_folder_of`) name it too: `prediction_twin_face_<n>.csv`.
+    Models in a folder of their own (`own_folder_of`) name it too: `prediction_twin_face_<n>.csv`.
     Every row has the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed

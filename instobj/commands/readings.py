@@ -19,7 +19,7 @@ from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
 from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import faces_of
-from instobj.store.publish import require_writable, require_writable_folder, run_folder, run_name
+from instobj.store.publish import require_writable, run_folder, run_name
 
 
 @dataclass(frozen=True)
@@ -245,17 +245,13 @@ def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
     return texts
 
 
-def prediction_path(name: str, path: Path, out: Path | None) -> Path:
+def prediction_path(name: str, path: Path, out: Path) -> Path:
     """Return where predictions of a file go; refused before any work where nothing can be written there."""
-    if out is not None:
-        require_writable(out)
-        return run_folder(out, run_name(path)) / name
-    if path.parent.is_dir():
-        require_writable_folder(path.parent)
+    require_writable(out)
     if not is_robot_file(path):  # a bag may be a folder
         missing = f"no recording at {path}. Give the path of a recording or a data set"
         require_regular_file(path, missing)
-    return path.with_name(f"{path.stem}.{name}")
+    return run_folder(out, run_name(path)) / name
 
 
 def is_data_set(path: Path) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from contextlib import nullcontext
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
+from instobj.commands.next_step import next_step, verdict_step
 from instobj.stages.run import Run, with_needs
 from instobj.stages.table import STAGES
 from instobj.stages.tasks import tasks_of
@@ -28,7 +30,7 @@ from instobj.store.publish import (
     run_name,
     stage_row,
 )
-from instobj.store.readers import FINDINGS, FRAMES
+from instobj.store.readers import FINDINGS, FRAMES, INVERSION
 from instobj.store.run_bar import expected_seconds
 
 
@@ -181,6 +183,32 @@ def run_chain(
     return result
 
 
+def run_to_target(
+    specs: list[Path],
+    target: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    workers: int = 1,
+    scheduler: str | None = None,
+) -> dict[str, Any]:
+    """Bring each specification to the stages of a target as `run_chain` does, and say what comes next."""
+    document = run_chain(specs, target, out, overrides, workers, scheduler)
+    return document | {"next": verdict_step("run", specs, out, overrides, document)}
+
+
+def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
+    """Write the parts and the assembly sheet of each specification, and say what comes next."""
+    from design.catalogue.bus_parts import MEGA2560
+    from design.wiring.bus_plan import plan_or_none
+
+    document = run_chain(specs, ("sheet",), out, overrides)
+    spec = load_spec(specs[0], overrides)
+    # parts of an object that was not scored may not be worth casting
+    ready = Run(spec).stored("scores") is not None and plan_or_none(spec, MEGA2560) is not None
+    done, paths = ("build", specs[:1]) if ready else ("build unscored", specs)
+    return document | {"next": next_step(done, *paths, out=out, overrides=overrides)}
+
+
 def simulate_recordings(
     specs: list[Path],
     out: Path,
@@ -203,7 +231,16 @@ def simulate_recordings(
         stages = ("pulled_collection" if pulled else "collection",)
         _make_by_workers([spec], stages, workers, scheduler)
         objects.append(run_one_object(spec, stages, out))
-    return {"command": "frames", "objects": objects}
+    return {"command": "frames", "objects": objects, "next": _frames_step(objects[0], out)}
+
+
+def _frames_step(document: dict[str, Any], out: Path) -> str:
+    """Return the next step: the simulated recording read by the object's estimator, or one trained on it."""
+    frames = next(row["path"] for row in document["files"] if row["path"].endswith(".nc"))
+    contacts = run_folder(out, document["name"]) / INVERSION.name
+    if contacts.is_file():
+        return next_step("train contacts", contacts, Path(frames), out=out)
+    return next_step("recordings", Path(frames), out=out)
 
 
 def _make_by_workers(
@@ -241,19 +278,33 @@ def run_one_object(
     from instobj.report.summary import summarize
 
     run = Run(spec, progress or ProgressLine())
-    files: list[Path] = []
+    _say_first_verdict(run, stages)
+    files: set[Path] = set()
     for name in stages:
-        earlier = set(run.results)
         run.require(name)
-        for stage in [name, *(s for s in run.results if s not in earlier and s != name)]:
-            files += publish(spec, run.results[stage], out)
+    for result in run.results.values():
+        files.update(publish(spec, result, out))
     return {
         "name": spec.name,
         "spec_hash": spec_hash(spec),
         "stages": [stage_row(result) for result in run.results.values()],
         "summary": summarize(run.results, spec),
-        "files": file_rows(files),
+        "files": file_rows(sorted(files)),
     }
+
+
+def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
+    """Say go or no-go as soon as the scores give it, where virtual objects are still to be judged."""
+    from instobj.report.remedies import DESIGN_STAGES, verdict_summary
+
+    judges_objects = with_needs(*stages) >= {"robustness", *DESIGN_STAGES}
+    if not judges_objects or run.stored("robustness"):
+        return
+    for name in DESIGN_STAGES:
+        run.require(name)
+    lines = islice(verdict_summary(run.spec, run.results).items(), 2)
+    text = "; ".join(f"{name}: {line}" for name, line in lines)
+    run.progress.say(f"{text}. By the design; objects built within tolerances follow")
 
 
 def run_estimator(
@@ -290,7 +341,21 @@ def run_estimator(
             chosen = chosen if inverting else stages
             _require_no_recording(spec, chosen, out)
             objects.append(run_one_object(spec, chosen, out))
-    return {"command": "estimator", "objects": objects}
+    next_command = _training_step(sources[0], objects[0]["files"], out, overrides)
+    return {"command": "estimator", "objects": objects, "next": next_command}
+
+
+def _training_step(
+    source: Path, files: list[dict[str, Any]], out: Path, overrides: list[str]
+) -> str:
+    """Return the next step: what an inversion reads, or the export of networks."""
+    paths = [Path(row["path"]) for row in files]
+    contacts = next((path for path in paths if path.name == INVERSION.name), None)
+    if contacts is None:
+        return next_step("train", paths[0].parent)
+    if source.suffix == ".nc":
+        return next_step("train contacts", contacts, source, out=out)
+    return next_step("train SPEC", source, out=out, overrides=overrides)
 
 
 def _results_name(path: Path, overrides: list[str]) -> str:

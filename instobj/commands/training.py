@@ -17,6 +17,7 @@ from instobj.commands.data_set import (
     stage_key,
     work_through,
 )
+from instobj.commands.next_step import next_step
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import TWIN, file_rows, require_writable, run_folder
@@ -80,8 +81,19 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
             *absent,
         ],
         "files": file_rows([target]),
-        "next": f"instobj train {target}",
+        "next": _recordings_step(frames, target, out),
     }
+
+
+def _recordings_step(frames: FrameSet, target: Path, out: Path) -> str:
+    """Return the next step: training, or what recordings must hold where they are too few to train on."""
+    from estimator.frames.splits import split_presses
+
+    try:
+        split_presses(frames, seed=0)
+    except InputError:
+        return next_step("recordings too few")
+    return next_step("recordings", target, out=out)
 
 
 def _converted(files: list[Path], out: Path) -> dict[str, Any]:

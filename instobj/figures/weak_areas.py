@@ -29,7 +29,8 @@ _INK, _POINTS = "#1a1a1a", "#8fb3cf"
 def draw_weak_areas(
     scores: PlaceScores, areas: WeakAreas, limit_mm: float, path: Path | str
 ) -> None:
-    """Position bound of every location against each measure that varies; medians of thirds (PNG).
+    """Position bound of every location against each measure that varies; the bound that 95 % of each
+    third keep (PNG).
 
     Blind locations stand at the top edge.
     """
@@ -84,7 +85,9 @@ def _draw_measure(
             continue
         ends = [factor * third.low, factor * third.high]
         middle = [min(third.bound_mm, bound_mm.max())] * 2
-        axes.plot(ends, middle, "o-", ms=4, color=_INK, lw=2.5, label="median of a third")
+        axes.plot(
+            ends, middle, "o-", ms=4, color=_INK, lw=2.5, label="bound that 95 % of a third keep"
+        )
     axes.set(xlabel=MEASURE_NAMES[name])
     axes.set_title(f"rank correlation {areas.rank_correlation[name]:+.2f}", fontsize=10)
     axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")

@@ -13,7 +13,7 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.build.bom import bill_of_materials
 from design.build.manifest import BuildManifest, PartManifest
-from design.build.order_list import OrderLine, cost_eur
+from design.build.order_list import OrderLine, price_text
 from design.layout.boards import board_blocks, wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould.frame import opening_of
@@ -78,7 +78,7 @@ def assembly_sheet(
         steps=steps(spec, parts),
         materials=_materials(spec, manifest, plan),
         orders=[_order(line) for line in orders],
-        cost=_cost(orders),
+        cost=price_text(orders) if orders else "",
     )
 
 
@@ -282,10 +282,3 @@ def _print(part: PartManifest) -> list[str]:
 def _order(line: OrderLine) -> list[str]:
     price = f"{line.low_eur:.2f} to {line.high_eur:.2f}"
     return [line.part, line.maker, line.number, str(line.pieces), str(line.packs), price]
-
-
-def _cost(orders: Sequence[OrderLine]) -> str:
-    if not orders:
-        return ""
-    low, high = cost_eur(list(orders))
-    return f"{low:.0f} to {high:.0f} EUR, estimated {orders[0].priced} without shipping"

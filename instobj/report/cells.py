@@ -11,6 +11,10 @@ _NOTHING = 1e-10
 """Magnitude below which a figure is a rounding error of what was added up."""
 
 
+GO, NO_GO = "GO", "NO-GO"
+"""Names of the first line of a verdict."""
+
+
 @dataclass(frozen=True)
 class Table:
     """Names of columns, with their units, and cells as they are shown."""
@@ -35,6 +39,11 @@ def turned(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         {first: key} | {head: row[key] for head, row in zip(heads, rows, strict=True)}
         for key in others
     ]
+
+
+def percent_text(share: float) -> str:
+    """Whole per cent, but all only where it is all."""
+    return f"{min(round(100 * share), 99) if share < 1 else 100} %"
 
 
 def shown(value: Any) -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from urllib.parse import quote
+
+import numpy as np
 
 from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.coverage import covered_shares
@@ -31,20 +33,17 @@ from instobj.report.uncertainty import (
     modulus_text,
     travel_text,
 )
-from instobj.report.verdict import judge, objects_text
+from instobj.report.verdict import judge, located_text, objects_text, score_rows
 from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
 from instobj.store.readers import published_files
 from instobj.store.record import read_record
 
-if TYPE_CHECKING:
-    from estimator.information.scores import PlaceScores
-
 Inputs = dict[str, Path]
 
 _ESTIMATOR_COLUMNS = (
     *("tips a face", "force", "frames", "number right %", "distance mm", "95th percentile mm"),
-    *("possible mm", "total force N", "place in 90 % region %", "force in 90 % interval %"),
+    *("bound mm", "total force N", "place in 90 % region %", "force in 90 % interval %"),
 )
 """Figures of the contacts read, for each number of tips and range of force."""
 _PAPER_PARTS = ("arrangement", "body", "shell", "core", "magnets", "sensors", "silicone")
@@ -73,6 +72,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         still=readers.STILL.path(inputs["scene"]),
         scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
+        located=located_text(spec, scores),
         locations=locations_line(spec),
         unreached=scores.unreached,
         covered_by_face="" if scores.unreached else _covered_by_face(spec),
@@ -93,7 +93,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
         files=files_beside(inputs),
         **_maps(inputs),
-        **_areas(scores),
+        score_rows=score_rows(scores),
+        delta=shown(float(np.median(scores.delta_raw[scores.judged]))),
         **weak_areas_section(inputs["weak_areas"]),
         cross_face=cross_face_rows(inputs["scores"]),
         cross_face_force_n=readers.CROSS_FACE.read(inputs["scores"])["force_n"],
@@ -137,34 +138,6 @@ def _maps(inputs: Inputs) -> dict[str, Any]:
     titles = {score.field: score.title for score in SCORE_MAPS}
     maps = [(titles[field], path) for field, path in paths.items()]
     return {"overview": overview, "maps": maps, "delta_map": delta}
-
-
-def _areas(scores: PlaceScores) -> dict[str, Any]:
-    from estimator.information.scores import summarize_areas
-
-    columns = {
-        "position_bound_mm": "position bound, mm",
-        "position_error_mm": "error of maximum likelihood, mm",
-        "position_bound_drifted_mm": "after 15 min of drift, mm",
-        "force_bound_n": "force bound, N",
-        "detectable_force_n": "detectable force, N",
-        "stiffness_n_per_mm": "N/mm",
-    }
-    areas = summarize_areas(scores)
-    rows = [
-        {"area": area.area.replace("_", "-"), "locations per face": area.places}
-        | {title: area.medians[name] for name, title in columns.items()}
-        for area in areas
-    ]
-    deltas = [
-        {
-            "area": area.area.replace("_", "-"),
-            "δ raw, counts^d/N": area.medians["delta_raw"],
-            "δ / centre's": area.ratio_to_centre["delta_raw"],
-        }
-        for area in areas
-    ]
-    return {"areas": rows, "deltas": deltas}
 
 
 def _nuisances(inputs: Inputs) -> list[list[str]]:

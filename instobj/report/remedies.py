@@ -12,7 +12,14 @@ from operator import mul
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.verdict import judge, shown_against_limit, worst_ratio
+from instobj.report.cells import GO, NO_GO
+from instobj.report.verdict import (
+    judge,
+    located_text,
+    objects_text,
+    shown_against_limit,
+    worst_ratio,
+)
 from instobj.report.weak_areas import edge_text
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
@@ -94,23 +101,33 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     }
 
 
-VERDICT_STAGES = {"alternatives", "press_curves", "robustness", "scores", "weak_areas"}
-"""Stages that the report's first lines are read from; none of them trains."""
+DESIGN_STAGES = ("scores", "weak_areas", "press_curves")
+"""Stages that a verdict by the design alone is read from."""
 
 
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
-    """Return what the report's first lines say."""
+    """Return what the report's first lines say; of the design alone where no virtual object was judged."""
     margin = PRESS_CURVES.read(results["press_curves"].folder)["saturation_margin"]
-    objects = ROBUSTNESS.read(results["robustness"].folder).saturation
-    verdict = judge(spec, SCORES.read(results["scores"].folder), margin, objects)
-    rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
-    return {
-        "GO" if verdict.go else "NO-GO": f"for the use {spec.limits.use!r}",
-        "judged on": f"{verdict.covered:.0%} of the sensed surface",
+    scores, objects = SCORES.read(results["scores"].folder), None
+    if "robustness" in results:
+        objects = ROBUSTNESS.read(results["robustness"].folder).saturation
+    verdict = judge(spec, scores, margin, objects)
+    built = "of the design alone, tolerances by `instobj run`"
+    if objects is not None:
+        built = objects_text(objects)
+    good = "good enough" if verdict.go else "not good enough"
+    lines = {
+        GO if verdict.go else NO_GO: (
+            f"{good} for the use {spec.limits.use!r}; {located_text(spec, scores)}"
+        ),
+        "judged on": f"{verdict.covered:.0%} of the sensed surface; {built}",
         "limited by": verdict.limited_by,
         "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
-        "what to change": decision(remedies(spec, rows), verdict.go),
     }
+    if "alternatives" in results:
+        rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
+        lines["what to change"] = decision(remedies(spec, rows), verdict.go)
+    return lines
 
 
 def _above(ratio: float) -> str:

@@ -8,10 +8,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from design.build.order_list import price_text
 from design.spec.object import ObjectSpec
 from instobj.report.core_section import slip_rows
-from instobj.report.remedies import VERDICT_STAGES, verdict_summary
+from instobj.report.remedies import DESIGN_STAGES, verdict_summary
 from instobj.report.uncertainty import robustness_summary
+from instobj.report.verdict import SCORES_TITLE, score_rows
 from instobj.report.weak_areas import WEAK_TITLE, weak_rows
 from instobj.store.content import StoredResult
 from instobj.store.readers import (
@@ -26,6 +28,7 @@ from instobj.store.readers import (
     MANIFEST,
     MESH_QUALITY,
     METRICS,
+    ORDERS,
     PROTOCOL,
     PULLED_SUMMARY,
     RESPONSE_SIZE,
@@ -35,11 +38,16 @@ from instobj.store.readers import (
     ResultFile,
 )
 
-_METRICS_TITLE = (
-    "metrics on held-out presses (frames of contact and of rest; E_loc is the shift of the whole map that "
-    "fits best, as in the paper; the place in the next table is the centre of force)"
+_CONTACTS_TITLE = (
+    "contacts found by inversion, means over frames. tips a face: on the face pressed most; distance: of "
+    "found contacts from true ones; bound: what an unbiased estimator could reach; missed, ghosts: true "
+    "contacts not found, and found ones that are none, per frame"
 )
-AREAS_TITLE = "bounds by area (medians over all faces, fresh zero)"
+_METRICS_TITLE = (
+    "force maps of held-out presses, by the paper's metrics. similarity (A_sim): 1 where the maps agree; "
+    "shift (E_loc): of the whole map, in pixels of the contact grid; force error (E_f): where it is pressed, "
+    "% of the range of force there; rest read (A_non): share of frames at rest that are read as rest"
+)
 
 
 def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
@@ -49,11 +57,12 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     """
     makers = (
         ("build", "parts", lambda result: part_rows(result.folder)),
+        ("sheet", "price", _price),
         ("mesh", "mesh", _read(MESH_QUALITY)),
         ("response", "mechanics", _read(RESPONSE_SIZE)),
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
-        ("scores", AREAS_TITLE, _areas),
+        ("scores", SCORES_TITLE, lambda result: score_rows(SCORES.read(result.folder))),
         ("scores", "read worse than the bound", _bound_text),
         ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
@@ -89,7 +98,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ),
         ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
-        ("contact_metrics", "contacts found by inversion, means over frames", _contacts),
+        ("contact_metrics", _CONTACTS_TITLE, _contacts),
         ("contact_metrics", "contacts found by simple readings", _simple_contacts),
     )
     made = {
@@ -97,9 +106,13 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     }
     if spec and "robustness" in results:
         made |= _finite(robustness_summary(spec, results["robustness"].folder))
-    if spec and results.keys() >= VERDICT_STAGES:
+    if spec and results.keys() >= {*DESIGN_STAGES}:
         made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
+
+
+def _price(result: StoredResult) -> dict[str, str]:
+    return {"all that is to be ordered": price_text(ORDERS.read(result.folder))}
 
 
 def _slip(result: StoredResult) -> list[dict[str, Any]]:
@@ -177,25 +190,6 @@ def part_rows(folder: Path) -> list[dict[str, Any]]:
             "watertight": part.stl_watertight,
         }
         for part in MANIFEST.read(folder).parts
-    ]
-
-
-def _areas(result: StoredResult) -> list[dict[str, Any]]:
-    from estimator.information.scores import summarize_areas
-
-    scores = SCORES.read(result.folder)
-    return [
-        {
-            "area": area.area,
-            "places": area.places,
-            "place mm": area.medians["position_bound_mm"],
-            "force N": area.medians["force_bound_n"],
-            "detect N": area.medians["detectable_force_n"],
-            "δ": area.medians["delta_raw"],
-            "/centre": area.ratio_to_centre["position_bound_mm"],
-            "δ/centre": area.ratio_to_centre["delta_raw"],
-        }
-        for area in summarize_areas(scores)
     ]
 
 
@@ -278,14 +272,14 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
         {
             "face": face["face"],
             "model": title,
-            "A_sim": face["similarity"],
-            "E_loc px": face["location_error_px"],
-            "E_f %": face["force_error_percent"],
-            "E_f N": face["force_error_n"],
-            "total N": face["total_force_error_n"],
-            "A_non": face["non_contact_accuracy"],
-            "contact": face["contact_frames"],
-            "rest": face["rest_frames"],
+            "similarity": face["similarity"],
+            "shift px": face["location_error_px"],
+            "force error %": face["force_error_percent"],
+            "force error N": face["force_error_n"],
+            "total force error N": face["total_force_error_n"],
+            "rest read": face["non_contact_accuracy"],
+            "frames pressed": face["contact_frames"],
+            "frames at rest": face["rest_frames"],
         }
         for key, title in _ESTIMATORS.items()
         for face in content[key]

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from design.layout.body import face_frames
 from design.layout.places.coverage import cell_areas_mm2, covered_share
 from design.spec.learning import SATURATION_MARGIN, LimitsSpec
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, weakest_place
+from estimator.information.weak_areas import bound_of_most
 from estimator.tolerances.saturation import KEPT_BY, Saturation
+from instobj.report.cells import percent_text
 
 ENOUGH_COVERED = 0.8
 """Share of the surface from which little of it is left out."""
@@ -72,10 +76,13 @@ def _range_ratio(margin: float, objects_margin: float) -> float:
 
 
 def judge(
-    spec: ObjectSpec, scores: PlaceScores, saturation_margin: float, objects: Saturation
+    spec: ObjectSpec,
+    scores: PlaceScores,
+    saturation_margin: float,
+    objects: Saturation | None = None,
 ) -> Verdict:
     """Judge an object from its scores, the share of the sensors' range that stays free in the design, and
-    its virtual objects' chips."""
+    its virtual objects' chips; by the design alone where those are not known."""
     checks = (
         _position(spec, scores),
         _detection(spec, scores),
@@ -87,6 +94,84 @@ def judge(
     area = cell_areas_mm2(spec)  # of every location, face by face
     judged = float(area[scores.judged[scores.places]].sum() / area.sum())
     return Verdict(checks, reason, judged * covered_share(spec))
+
+
+SCORES_TITLE = "scores over the contact locations"
+_ROWS = {
+    "position_bound_mm": "position bound, mm",
+    "position_bound_drifted_mm": "after 15 min of drift, mm",
+    "position_error_mm": "error of maximum likelihood, mm",
+    "force_bound_n": "force bound, N",
+    "detectable_force_n": "lightest touch felt, N",
+}
+"""Scores of the table; all with a fresh baseline but for the second."""
+
+
+def score_rows(scores: PlaceScores) -> list[dict[str, Any]]:
+    """Return median, 95th percentile and worst of each score, and where the worst is, as tables show it."""
+    rows = []
+    for name, title in _ROWS.items():
+        values = getattr(scores, name)
+        # bounds hold at one force, which some locations do not reach; a touch is felt or not everywhere
+        judged = scores.places if name == "detectable_force_n" else scores.judged
+        worst = np.argmax(np.where(judged, values, -np.inf))
+        face, place = np.unravel_index(worst, values.shape)
+        x, y = scores.grid.xy_mm[place]
+        rows.append(
+            {
+                "score": title,
+                "median": _or_infinite(float(np.median(values[judged]))),
+                "95 % below": _or_infinite(bound_of_most(values[judged])),
+                "worst": _or_infinite(float(values[face, place])),
+                "on face": int(scores.faces[face]),
+                "at x, y mm": f"{x:g}, {y:g}",
+            }
+        )
+    return rows
+
+
+def _or_infinite(value: float) -> float | str:
+    """Return a figure as JSON and tables show it: no number where a location is blind."""
+    return value if np.isfinite(value) else "∞"
+
+
+def located_text(spec: ObjectSpec, scores: PlaceScores) -> str:
+    """Say within what presses are located, where worst, and how many locations keep the limit."""
+    bound, weakest = scores.position_bound_mm[scores.judged], weakest_place(scores)
+    limit = spec.limits.position_bound_mm
+    median, most, worst = (
+        _shown(value, limit, "mm", "not at all")
+        for value in (float(np.median(bound)), bound_of_most(bound), weakest.position_bound_mm)
+    )
+    return (
+        f"a press of {spec.score.force_n:g} N is located within {median} (one standard deviation) at half of "
+        f"the contact locations, {most} at 95 % of them, and {worst} at the worst, which is "
+        f"{place_text(spec, weakest.face, (weakest.x_mm, weakest.y_mm))}. "
+        f"{percent_text(float(np.mean(bound <= limit)))} of the locations keep the limit of {limit:g} mm"
+    )
+
+
+_MIDDLE, _OUTER = 1 / 3, 2 / 3
+"""Shares of a face's half extent below which a location is in its middle, and above which at its edge."""
+
+
+def place_text(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> str:
+    """Say in words where on a face a location is: its middle, an edge or a corner, by the face's x and y."""
+    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    shares = np.divide(xy_mm, frame.half_extents_mm)
+    sides = [
+        f"{'+' if share > 0 else '−'}{axis}"
+        for axis, share in zip("xy", shares, strict=True)
+        if abs(share) >= _OUTER
+    ]
+    coordinates = f"({xy_mm[0]:g}, {xy_mm[1]:g}) mm"
+    if len(sides) == 2:
+        return f"near the corner {' '.join(sides)} of face {face}, at {coordinates}"
+    if sides:
+        middle = "the middle of " if min(abs(shares)) <= _MIDDLE else ""
+        return f"near {middle}the edge {sides[0]} of face {face}, at {coordinates}"
+    where = "in the middle" if max(abs(shares)) <= _MIDDLE else "between middle and edge"
+    return f"{where} of face {face}, at {coordinates}"
 
 
 def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
@@ -133,7 +218,16 @@ def _shown(value: float, limit: float, unit: str, unknown: str) -> str:
     return f"{shown_against_limit(value, limit)} {unit}" if np.isfinite(value) else unknown
 
 
-def _saturation(spec: ObjectSpec, margin: float, objects: Saturation) -> Check:
+def _saturation(spec: ObjectSpec, margin: float, objects: Saturation | None) -> Check:
+    if objects is None:
+        return Check(
+            "How strong: sensor range left free in the deepest press, by the design",
+            f"{100 * margin:.0f} %",
+            f"≥ {100 * SATURATION_MARGIN:g} %",
+            # a margin of 1 of the virtual objects decides nothing
+            _range_ratio(margin, 1.0),
+            f"{spec.sensors.part}, ±{spec.sensors.range_mt:g} mT",
+        )
     return Check(
         "How strong: sensor range left free in the deepest press, by the design; virtual objects whose "
         "chips all stay within it",

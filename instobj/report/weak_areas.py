@@ -10,7 +10,10 @@ from design.layout.places.measures import LONGEST_PATH_MM
 from instobj.store.content import StoredResult
 from instobj.store.readers import WEAK_AREAS, WEAK_AREAS_PICTURE, WEAK_MAPS
 
-WEAK_TITLE = "weak areas: position bounds by thirds of each measure (rank: with the bound)"
+WEAK_TITLE = (
+    "weak areas: the position bound that 95 % of the locations keep, by thirds of each measure (rank: with "
+    "the bound)"
+)
 _NAMES = {
     "border_mm": ("border, mm", "the distance to the border of their patch", "mm"),
     "magnet_mm": ("magnet, mm", "the distance to the nearest magnet", "mm"),
@@ -77,7 +80,7 @@ def weak_text(content: dict[str, Any]) -> str:
     thirds = [third for third in content["thirds"] if third["measure"] == told_by]
     strong, weak = sorted((thirds[0], thirds[-1]), key=lambda third: third["bound_mm"])
     parts.append(
-        f"the median bound is {weak['bound_mm']:.2g} mm at {_range(weak)} and "
+        f"95 % of the locations keep {weak['bound_mm']:.2g} mm at {_range(weak)} and "
         f"{strong['bound_mm']:.2g} mm at {_range(strong)}"
     )
     parts.append(
@@ -94,8 +97,7 @@ def _rows(content: dict[str, Any]) -> list[dict[str, Any]]:
             "from": _shown(third, "low"),
             "to": _shown(third, "high"),
             "places": third["places"],
-            "place mm": third["bound_mm"],
-            "/median": third["over_all"],
+            "95 % below mm": third["bound_mm"],
             "rank": content["rank_correlation"][third["measure"]],
         }
         for third in content["thirds"]

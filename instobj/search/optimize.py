@@ -19,6 +19,7 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.field.device import compute_device
+from instobj.commands.next_step import next_step
 from instobj.search.apart import answers
 from instobj.search.joined import describe_merge, merge_restarts
 from instobj.search.levels import Levels
@@ -61,7 +62,8 @@ def optimize(
     folder = run_folder(out, spec.name) / "search"
     progress = ProgressLine()
     limit = TimeLimit(spec.search.seconds)
-    plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
+    # refuses before there is a study to resume
+    plans = limit.plan, _mechanics_plan(spec, limit), forces_plan(spec)
     kept = open_trials(spec, folder / "trials.jsonl", resume)
     for plan in plans:
         progress.say(plan)
@@ -70,6 +72,7 @@ def optimize(
         progress.step(f"{text}; {limit.left}")
 
     keep_best = partial(best_so_far, space, kept, folder, path.parent)
+    keep_best()
     with (
         _kept_on_interrupt(kept, progress),
         limit.enforced(keep_best),
@@ -80,12 +83,25 @@ def optimize(
             levels = Levels(folder / "rungs.json", say, others)
             promotion = Promoter(space, limit, levels).promote(kept)
     if promotion is None:
+        again = [*overrides, f"search.seconds={2 * limit.seconds:g}"]
         return nothing_better(
             spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
-        )
+        ) | {"next": next_step("optimize again", path, out=out, overrides=again)}
     with progress.stage("report"):
         files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
-    return _document(spec, kept, promotion, files)
+    return _document(spec, kept, promotion, files) | {
+        "next": next_step("optimize", folder / BEST, out=out)
+    }
+
+
+def forces_plan(spec: ObjectSpec) -> str:
+    """Say at which forces layouts are judged, and at which one `score` judges."""
+    forces = ", ".join(f"{force:g}" for force in spec.scoring_forces_n)
+    key = "search.forces_n" if spec.search.forces_n else "score.force_n"
+    text = f"layouts are judged at presses of {forces} N ({key})"
+    if spec.score.force_n in spec.scoring_forces_n:
+        return text
+    return f"{text}; `instobj score` judges at {spec.score.force_n:g} N (score.force_n)"
 
 
 def nothing_better(
@@ -129,19 +145,19 @@ def nothing_better(
 
 
 def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
-    """Write the best trial so far, which only the lowest level knows; where, in words, or nothing.
+    """Write the best trial so far, which only the lowest level knows, or the start; where, in words.
 
     What an earlier call took to higher levels stays.
     """
-    best = leaders(space, kept, 1)
-    if not best:
-        return ""
-    path = folder / BEST
+    layout, about = space.spec, "The layout that the search began with: no trial is better yet"
+    said = "the layout that the search began with"
+    for best in leaders(space, kept, 1):
+        layout = with_layout(space.spec, best.params)
+        about = f"Trial {best.number}, by the lowest fidelity level alone: not confirmed"
+        said = "by the lowest fidelity level alone"
     if not (folder / RESULTS).is_file():
-        layout = with_layout(space.spec, best[0].params)
-        about = f"Trial {best[0].number}, by the lowest fidelity level alone: not confirmed"
-        path = write_best(layout, about, space.spec.name, folder, beside)
-    return f" The best so far, by the lowest fidelity level alone, is {path}."
+        write_best(layout, about, space.spec.name, folder, beside)
+    return f" The best so far, {said}, is {folder / BEST}."
 
 
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:

@@ -202,7 +202,7 @@ STAGES: dict[str, Stage] = {
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=7,
+        version=8,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -282,7 +282,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=10,
+        version=11,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
@@ -350,7 +350,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=25,
+        version=26,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
     from design.build.manifest import BuildManifest
+    from design.build.order_list import OrderLine
     from estimator.frames.dataset import FrameSet
     from estimator.information.scores import PlaceScores
     from estimator.inversion.inversion import Inversion
@@ -146,6 +147,7 @@ _robustness: Callable[[Path], Robustness] = _reader(
 )
 _frames: Callable[[Path], FrameSet] = _reader("estimator.frames.dataset", "load_frames")
 _face_model: Callable[[Path], FaceModel] = _reader("estimator.networks.face_model", "load_model")
+_orders: Callable[[Path], list[OrderLine]] = _reader("design.build.order_list", "load_orders")
 _inversion: Callable[[Path], Inversion] = _reader("estimator.inversion.storage", "load_inversion")
 
 
@@ -160,7 +162,7 @@ PARTS_PICTURE = ResultFile("build", "parts.png", _path)
 FINDINGS = ResultFile("fabrication", "fabrication.json", _json, published=True)
 FINDINGS_PICTURE = ResultFile("fabrication", "fabrication.png", _path, published=True)
 BOM = ResultFile("sheet", "bom.csv", _rows, published=True)
-ORDERS = ResultFile("sheet", "orders.csv", _rows, published=True)
+ORDERS = ResultFile("sheet", "orders.csv", _orders, published=True)
 EXPLODED_VIEW = ResultFile("sheet", "exploded.png", _path, published=True)
 DEMOULDING = ResultFile("sheet", "demoulding.png", _path, published=True)
 ASSEMBLY_SHEET = ResultFile("sheet", "assembly.html", _path, published=True)

@@ -178,7 +178,7 @@ def _draw(rows: list[dict[str, Any]], title: str, path: Path) -> None:
         group = groups.setdefault(label, {"": label})
         group[f"{row['model']}, mm"] = row["distance mm"]
         group[f"{row['model']}, %"] = row["number right %"]
-        group["possible, mm"] = row["possible mm"]
+        group["possible, mm"] = row["bound mm"]
     models = list(dict.fromkeys(row["model"] for row in rows))
     panels = {
         distance: {f"{name}, mm": name for name in models} | {"possible, mm": "Cramér–Rao bound"},

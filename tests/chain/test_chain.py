@@ -169,12 +169,12 @@ def test_networks_beat_the_linear_estimator_and_chance(folder, first):
     done = run("train", "small.toml", *NETWORKS, "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     assert all((folder / f"runs/small/face_{face}.safetensors").exists() for face in FACES)
-    (title,) = (name for name in _document(done)["summary"] if "metrics on held-out" in name)
+    (title,) = (name for name in _document(done)["summary"] if "force maps of held-out" in name)
     rows = _document(done)["summary"][title]
     for face in FACES:
         network, ridge, chance = (row for row in rows if row["face"] == face)
-        assert network["E_f %"] < ridge["E_f %"]
-        assert network["A_sim"] > max(ridge["A_sim"], chance["A_sim"])
+        assert network["force error %"] < ridge["force error %"]
+        assert network["similarity"] > max(ridge["similarity"], chance["similarity"])
 
 
 def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
@@ -319,7 +319,7 @@ def test_contacts_of_a_data_set_are_found_by_inverting_its_twin(folder, first):
     held = next(row for row in judged if row["force"] == "from 4 N")
     jitter_mm = np.sqrt(np.pi / 2) * 0.3  # mean distance of the presses from their labels
     assert held["number right %"] > 98
-    assert held["distance mm"] < 1.3 * np.hypot(held["possible mm"], jitter_mm)
+    assert held["distance mm"] < 1.3 * np.hypot(held["bound mm"], jitter_mm)
 
 
 def test_an_error_in_a_later_stage_keeps_earlier_results(folder, first):

@@ -85,7 +85,7 @@ def probabilities(tmp_path, face, frames):
     """Probability of a contact on a face in every frame of the second recording; 0 before a zero."""
     model = f"runs/first/face_{face}.onnx"
     done("predict", model, "again.csv", "--zero", "first:8", "--json", cwd=tmp_path)
-    path = tmp_path / f"again.prediction_face_{face}.csv"
+    path = tmp_path / f"runs/again/prediction_face_{face}.csv"
     rows = np.genfromtxt(path, delimiter=",", names=True)
     sure = np.zeros(frames)
     sure[rows["frame"].astype(int)] = rows["contact"]

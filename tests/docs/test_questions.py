@@ -17,7 +17,7 @@ LEAVES = {
     "know what to buy": ("orders.csv", "bom.csv", "assembly.html"),
     "use my own STL": ("my_fruit.toml",),
     "read my own CSV files": ("runs/press/frames.nc",),
-    "read it on my robot": ("runs/my_object/frames_continuous.contacts.csv",),
+    "read it on my robot": ("runs/my_object/continuous/contacts.csv",),
 }
 """Files that stand in a folder after a block, or in `cad_out/my_object`."""
 SLOW = {"know what to buy", "use my own STL", "read it on my robot"}

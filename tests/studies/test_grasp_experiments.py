@@ -164,14 +164,14 @@ def test_contacts_of_grasps_are_judged_by_number_of_tips_for_every_model(results
     for read in (one, hold):
         assert len({tuple(told) for key, told in judged.items() if key[1] == read}) == 1
     pressed = [row for row in rows if row["tips a face"]]
-    assert all(row["possible mm"] > 0 for row in pressed)
+    assert all(row["bound mm"] > 0 for row in pressed)
     share = [a / b for a, b in zip(possible(rows, hold), possible(rows, one), strict=True)]
     assert max(share) < 0.95  # the mean of a hold holds less noise
 
 
 def possible(rows, read):
     return [
-        row["possible mm"]
+        row["bound mm"]
         for row in rows
         if (row["model"], row["frames read"]) == ("design", read) and row["tips a face"]
     ]

@@ -193,6 +193,11 @@ def _check_gripper_header(header: list[str]) -> int:
     missing = [name for name in (*_HEAD, *_CHANNELS) if name not in header]
     if missing:
         raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
+    allowed = {*expected, *_CHANNELS, "Probe_Pos_1", "Probe_Pos_2", "Probe_Pos_3"}
+    if extra := [name for name in header if name not in allowed]:
+        raise RecordingError(
+            f"it has columns that are not known: {', '.join(map(repr, extra[:5]))}. Take them out; {FORMATS}"
+        )
     for number, (given, wanted) in enumerate(zip(header, expected, strict=False), start=1):
         if given != wanted:
             raise RecordingError(

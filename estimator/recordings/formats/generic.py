@@ -301,8 +301,8 @@ def _unknown_text(unknown: list[str], missing: list[str]) -> str:
             return f"column {name!r} is not known: did you mean {meant}? {FORMATS}"
     lacking = f"; it lacks {', '.join(missing[:6])}" if missing else ""
     return (
-        f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}{lacking}. Units stand "
-        f"in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
+        f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}{lacking}. Take notes and "
+        f"other columns out; units stand in the names (cell1_force_n, cell1_x1_mm); {FORMATS}"
     )
 
 

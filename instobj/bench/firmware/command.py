@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from design.build.order_list import OrderLine, cost_eur, order_list
+from design.build.order_list import order_list, price_text
 from design.catalogue.bus_parts import board_named
 from design.errors import InputError
 from design.spec_io import load_spec
@@ -32,25 +32,20 @@ def write_firmware(
         raise InputError(f"--topology {way!r} is not known. Choose one of {', '.join(WAYS)}")
     spec = load_spec(spec_path, overrides)
     plan, choice = choose_plan(spec, board_named(board), lead_mm, way)
-    files = project_files(spec, plan)
+    files, orders = project_files(spec, plan), order_list(spec, plan)
     require_writable(out)
     written = write_project(files, run_folder(out, spec.name) / f"firmware_{board}")
     return {
         "command": "firmware",
         "board": plan.board.name,
         "way": plan.way,
-        "texts": [*plan_texts(plan), _cost_text(order_list(spec, plan))],
+        "texts": [
+            *plan_texts(plan),
+            f"orders.csv: {len(orders)} parts to buy for {price_text(orders)}",
+        ],
         "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
         "files": file_rows(written),
     }
-
-
-def _cost_text(lines: list[OrderLine]) -> str:
-    low, high = cost_eur(lines)
-    return (
-        f"orders.csv: {len(lines)} parts to buy for {low:.0f} to {high:.0f} EUR (estimated "
-        f"{lines[0].priced}, without shipping; check before ordering)"
-    )
 
 
 def plan_texts(plan: BusPlan) -> list[str]:

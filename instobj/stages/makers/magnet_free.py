@@ -5,8 +5,10 @@ from __future__ import annotations
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from shutil import rmtree
 from typing import TYPE_CHECKING
 
+from instobj.stages.makers.learning import unfinished_folder
 from instobj.store.readers import (
     COMPLIANCE,
     PLAIN_FORCES,
@@ -89,7 +91,17 @@ def make_candidates(context: StageContext, folder: Path) -> None:
     response = context.read(PLAIN_RESPONSE)
     lattices = candidate_lattices(context.spec)
     context.step("contact at every location, then one factorization for all presses")
-    simulate_candidates(context.spec, mesh, response, lattices, folder, progress=context.step)
+    unfinished = unfinished_folder(context.key)
+    simulate_candidates(
+        context.spec,
+        mesh,
+        response,
+        lattices,
+        folder,
+        progress=context.step,
+        unfinished=unfinished,
+    )
+    rmtree(unfinished, ignore_errors=True)
 
 
 def make_second_fidelity(context: StageContext, folder: Path) -> None:

@@ -9,7 +9,7 @@ from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.identifiability import jacobians_of, set_information
-from estimator.information.scores import score_places, summarize_areas
+from estimator.information.scores import score_places
 from estimator.information.slip_cost import slip_cost
 from estimator.information.weak_areas import weak_areas
 from estimator.signals.interpolation import signal_gradient
@@ -25,11 +25,8 @@ def of_scores():
     yield from chosen(scores, "position_bound_mm", "position_bound_drifted_mm", "force_bound_n")
     yield from chosen(scores, "force_bound_drifted_n", "detectable_force_n", "depth_at_score_mm")
     yield from chosen(scores, "detectable_force_drifted_n", "stiffness_n_per_mm")
-    bounds_mm = [area.medians["position_bound_mm"] for area in summarize_areas(scores)]
-    yield "bounds of corners, edges, mid edges and the centre (mm)", bounds_mm
     yield "covariances (mm²)", position_covariances_mm2(SPEC, signals(), scores)
     weak = weak_areas(SPEC, scores)
-    yield "thirds by border, magnet and path (mm)", [third.bound_mm for third in weak.thirds]
     yield "bound's correlation with border, magnet, path", list(weak.rank_correlation.values())
 
 

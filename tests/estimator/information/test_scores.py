@@ -16,7 +16,6 @@ from estimator.information.scores import (
     load_scores_csv,
     save_scores_csv,
     score_places,
-    summarize_areas,
     weakest_place,
 )
 from estimator.information.sensitivity import channel_noise, covariance_sensitivity, periodic_press
@@ -108,32 +107,6 @@ def test_areas_of_the_papers_grid():
     assert not (area_places(grid, "corner") & area_places(grid, "edge")).any()
 
 
-def test_area_summary_gives_medians_and_ratios_to_the_centre(scores):
-    bound = np.full((5, 20), 2.0)
-    centre, edge = area_places(scores.grid, "centre"), area_places(scores.grid, "edge")
-    bound[:, centre], bound[:, edge & ~centre] = 0.5, 3.0
-    summary = {row.area: row for row in summarize_areas(replace(scores, position_bound_mm=bound))}
-    assert summary["centre"].medians["position_bound_mm"] == 0.5
-    assert summary["corner"].ratio_to_centre["position_bound_mm"] == 4.0
-    assert summary["corner"].places == 4
-
-
-def test_areas_without_a_contact_location_are_left_out(scores):
-    """A round patch has no corners, a grid of two by two no middle of an edge."""
-
-    def on(*places):
-        force = np.full(scores.force_at_score_n.shape, np.nan)
-        force[:, list(places)] = 1.0
-        found = summarize_areas(replace(scores, force_at_score_n=force))
-        return {row.area: row.places for row in found}
-
-    rows, columns = scores.grid.shape
-    index = np.arange(rows * columns).reshape(rows, columns)
-    cross = [*index[1, :3], index[0, 1], index[2, 1]]
-    assert on(*cross) == {"edge": 4, "mid_edge": 4, "centre": 5}
-    assert on(*index[:2, :2].ravel()) == {"corner": 4, "centre": 4}
-
-
 def test_weakest_place_has_the_largest_bound(scores):
     weakest = weakest_place(scores)
     bound = scores.position_bound_mm
@@ -207,8 +180,6 @@ def test_a_force_that_a_press_never_reaches_is_not_judged_under_its_name():
         f"{out.sum()} of {scores.places.sum()} contact locations do not reach" in scores.unreached
     )
     assert np.isfinite(weakest_place(scores).position_bound_mm)
-    for area in summarize_areas(scores):
-        assert np.isfinite(area.medians["position_bound_mm"])
 
 
 def test_a_force_that_no_press_reaches_is_refused_with_the_largest():

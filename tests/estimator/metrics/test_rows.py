@@ -39,7 +39,7 @@ def test_every_entry_of_every_row():
         (2, "from 4 N", 1, 100.0, 0.0, 0.0),
         (0, "rest", 1, 0.0, 0.0, 1.0),
     ]
-    distances = ("distance mm", "95th percentile mm", "possible mm")
+    distances = ("distance mm", "95th percentile mm", "bound mm")
     assert [tuple(row[name] for name in distances) for row in rows] == [
         (1.0, 1.0, 0.5),
         (5.5, 5.5, 0.7),
@@ -60,7 +60,7 @@ def test_every_entry_of_every_row():
         (50.0, 50.0, 100.0),
         (None, None, 0.0),
     ]
-    assert contact_rows(MATCHED)[0]["possible mm"] is None
+    assert contact_rows(MATCHED)[0]["bound mm"] is None
 
 
 def test_agreement_counts_cosines_shares_signs_and_size():
@@ -155,7 +155,7 @@ def test_figures_of_rows_are_rounded_to_a_micrometre_a_millinewton_and_a_tenth_o
         "ghosts a frame": 0.667,
         "distance mm": 0.333,
         "95th percentile mm": 0.333,
-        "possible mm": 0.667,
+        "bound mm": 0.667,
         "total force N": 0.095,
         "each force N": 0.095,
         "place in 90 % region %": 33.3,

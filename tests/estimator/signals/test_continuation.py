@@ -18,7 +18,6 @@ from estimator.information.scores import (
     load_scores_csv,
     save_scores_csv,
     score_places,
-    summarize_areas,
     weakest_place,
 )
 from estimator.signals.continuation import continued
@@ -131,11 +130,6 @@ def test_scores_are_those_of_the_whole_table_and_missing_elsewhere(signals, tmp_
     back = load_scores_csv(tmp_path / "scores.csv")
     np.testing.assert_array_equal(back.places, there)
     np.testing.assert_array_equal(back.delta_raw, scores.delta_raw)
-    corner = {area.area: area for area in summarize_areas(scores)}["corner"]
-    corners = np.stack([area_places(scores.grid, "corner", own) for own in there]) & scores.judged
-    assert corner.places_per_face == tuple(corners.sum(axis=1).tolist())
-    on_corners = [scores.position_bound_mm[corners]]
-    assert corner.medians["position_bound_mm"] == np.median(np.concatenate(on_corners))
 
 
 def test_a_missing_press_of_a_place_that_a_face_has_is_an_error(signals):

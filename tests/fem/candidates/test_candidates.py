@@ -40,6 +40,25 @@ def table(cube, spec, folder, lattices):
     return simulate(spec, cube.mesh, cube.response, lattices, folder, force_shares=(0.5, 1.0))
 
 
+def test_a_run_that_was_broken_off_goes_on_from_the_faces_that_it_had(
+    cube, spec, lattices, table, tmp_path
+):
+    parts, unfinished = (spec, cube.mesh, cube.response, lattices), tmp_path / "unfinished"
+
+    def stop(text):
+        if text.startswith("face 2"):
+            raise KeyboardInterrupt
+
+    options = {"force_shares": (0.5, 1.0), "unfinished": unfinished}
+    with pytest.raises(KeyboardInterrupt):
+        simulate(*parts, tmp_path, progress=stop, **options)
+    kept = {path: path.stat().st_mtime_ns for path in unfinished.iterdir()}
+    assert len(kept) == 2
+    again = simulate(*parts, tmp_path, **options)
+    assert all(path.stat().st_mtime_ns == then for path, then in kept.items())
+    np.testing.assert_array_equal(again.by_candidate, table.by_candidate)
+
+
 @pytest.fixture(scope="module")
 def body(disks):
     return disks[0]

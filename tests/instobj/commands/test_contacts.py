@@ -52,12 +52,12 @@ def told(arguments):
 
 
 def test_a_labelled_data_set_is_read_and_judged(folder):
-    document = told(["predict", folder / "contacts.nc", folder / "grasp.nc"])
+    document = told(["predict", folder / "contacts.nc", folder / "grasp.nc", "--out", folder])
     summary, judged = document["tables"].values()
     assert (summary[0]["frames"], summary[0]["frames with contact"]) == (16, 6)
     assert [row["force"] for row in judged][-1] == "rest"
     assert judged[-1]["number right %"] == 100
-    with (folder / "grasp.contacts.csv").open() as file:
+    with (folder / "runs/grasp/contacts.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [row["contacts"] for row in rows[:10]] == ["0"] * 10
     assert rows[0]["face"] == ""
@@ -74,11 +74,12 @@ def test_a_chip_that_lies_is_named_in_every_frame(folder, tmp_path):
     counts = frames.signal_counts.copy()
     counts[:, 2, 0, 1] += 20_000.0
     save_frames(replace(frames, signal_counts=counts), tmp_path / "lying.nc")
-    document = told(["predict", folder / "contacts.nc", tmp_path / "lying.nc"])
+    arguments = ["predict", folder / "contacts.nc", tmp_path / "lying.nc"]
+    document = told([*arguments, "--out", tmp_path])
     (summary,) = next(iter(document["tables"].values()))
     assert summary["frames without a chip that was not believed"] == 16
     assert summary["frames that no contact explains"] == 0
-    with (tmp_path / "lying.contacts.csv").open() as file:
+    with (tmp_path / "runs/lying/contacts.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert {row["chip_out"] for row in rows} == {"F3-1"}
 

@@ -340,7 +340,7 @@ def test_what_was_written_is_said_with_what_comes_next(tmp_path):
     )
     assert re.fullmatch(r"contact locations cover \d+ % of the sensed surface", covered)
     assert taking.startswith("scores (`instobj score`) take about ")
-    assert following == "next  instobj check avocado.toml"
+    assert following == "next: instobj check avocado.toml"
     assert [path.name for path in tmp_path.glob("*.toml")] == ["avocado.toml"]
 
 

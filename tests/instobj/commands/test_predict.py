@@ -160,7 +160,7 @@ def test_a_recording_with_fewer_sensors_names_the_channel_that_is_missing(folder
 
 def test_a_folder_in_place_of_a_recording_is_one_error():
     with pytest.raises(InputError, match="is a folder, not a file"):
-        prediction_path("contacts.csv", Path("."), None)
+        prediction_path("contacts.csv", Path("."), Path("."))
 
 
 def test_predict_a_data_set(folder, tmp_path):
@@ -190,25 +190,24 @@ def test_two_data_sets_give_two_files(folder, tmp_path):
     assert [path.parent.name for path in written] == ["one", "two"]
 
 
-def test_predictions_lie_beside_their_data_set(folder, tmp_path, monkeypatch):
-    """Two folders of one name, read from a third: neither overwrites the other."""
-    files = [tmp_path / name / "same" / "frames.nc" for name in ("a", "b")]
+def test_predictions_go_to_runs_of_this_folder_and_not_beside_their_data_set(
+    folder, tmp_path, monkeypatch
+):
+    path = tmp_path / "elsewhere" / "same" / "frames.nc"
+    path.parent.mkdir(parents=True)
+    path.write_bytes((folder / "press.nc").read_bytes())
     (tmp_path / "here").mkdir()
     monkeypatch.chdir(tmp_path / "here")
-    for path in files:
-        path.parent.mkdir(parents=True)
-        path.write_bytes((folder / "press.nc").read_bytes())
-        given = ["predict", str(folder / "robot" / "face_3.onnx"), str(path)]
-        assert CliRunner().invoke(app, given).exit_code == 0
-    written = sorted(tmp_path.rglob("*.csv"))
-    assert written == [path.with_name("frames.prediction_face_3.csv") for path in files]
+    given = ["predict", str(folder / "robot" / "face_3.onnx"), str(path)]
+    assert CliRunner().invoke(app, given).exit_code == 0
+    assert [*tmp_path.rglob("*.csv")] == [tmp_path / "here/runs/same/prediction_face_3.csv"]
 
 
 def test_predictions_carry_frame_numbers_and_stamps(folder, tmp_path):
     """The 14 frames of a recording, four of which give the zero; a data set's from the first on."""
     path = board_recording(folder, tmp_path / "board.csv")
-    predict_file(folder / "robot" / "face_3.onnx", path, None, Zeroing("first", 4))
-    with (tmp_path / "board.prediction_face_3.csv").open() as file:
+    predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 4))
+    with (tmp_path / "runs/board/prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [int(row["frame"]) for row in rows] == list(range(4, 14))
     assert [float(row["time_s"]) for row in rows] == [1.7e9 + k / 10 for k in range(4, 14)]
@@ -283,20 +282,21 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
 
 def test_a_recording_without_load_cells_is_read_all_the_same(folder, tmp_path):
     model, path = folder / "robot" / "face_3.onnx", board_recording(folder, tmp_path / "board.csv")
-    predict_file(model, path, None, Zeroing("first", 4))
+    predict_file(model, path, tmp_path, Zeroing("first", 4))
     rows = [line.split(",")[:4] for line in path.read_text().splitlines()]
     bare = tmp_path / "bare.csv"
     bare.write_text("\n".join(",".join(row) for row in rows) + "\n")
-    predict_file(model, bare, None, Zeroing("first", 4))
+    predict_file(model, bare, tmp_path, Zeroing("first", 4))
     found, expected = (
-        (tmp_path / f"{name}.prediction_face_3.csv").read_text() for name in ("bare", "board")
+        (tmp_path / "runs" / name / "prediction_face_3.csv").read_text()
+        for name in ("bare", "board")
     )
     assert found == expected
     for cell, words in (("x", "line 4, column F3-Y1: 'x' is not"), ("1e9", "counts reach 1e\\+09")):
         rows[3][2] = cell
         bare.write_text("\n".join(",".join(row) for row in rows) + "\n")
         with pytest.raises(InputError, match=words):
-            predict_file(model, bare, None)
+            predict_file(model, bare, tmp_path)
 
 
 def test_rows_that_repeat_the_one_before_are_told(folder, tmp_path):
@@ -305,7 +305,7 @@ def test_rows_that_repeat_the_one_before_are_told(folder, tmp_path):
     rows = [f"{k / 20:.2f},{row[0]},{row[1]},{row[2]}" for k, row in enumerate(counts)]
     path.write_text("\n".join(["time_s,F3-X1,F3-Y1,F3-Z1", *rows]) + "\n")
     with pytest.raises(InputError, match="the row before in 60 of 120 rows, so that rest does not"):
-        predict_file(folder / "robot" / "face_3.onnx", path)
+        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)
 
 
 def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path):
@@ -314,8 +314,8 @@ def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path
     rows = [line.split(",") for line in path.read_text().splitlines()]
     rows[10][2] = ""
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")
-    found = predict_file(model, path, None, Zeroing("first", 4))
-    with (tmp_path / "board.prediction_face_3.csv").open() as file:
+    found = predict_file(model, path, tmp_path, Zeroing("first", 4))
+    with (tmp_path / "runs/board/prediction_face_3.csv").open() as file:
         assert [int(row["frame"]) for row in csv.DictReader(file)] == [*range(4, 9), *range(10, 14)]
     (summary,) = next(iter(found["tables"].values()))
     told = ("frames", "frames that lack a reading", "frames before a zero")
@@ -324,11 +324,11 @@ def test_frames_that_lack_a_reading_are_passed_over_and_counted(folder, tmp_path
         row[2] = ""
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")
     with pytest.raises(InputError, match="channel F3-Y1, which the model uses"):
-        predict_file(model, path, None, Zeroing("first", 4))
+        predict_file(model, path, tmp_path, Zeroing("first", 4))
     frames = load_frames(folder / "press.nc")
     frames.signal_counts[5, 2, 0, 1] = np.nan
     save_frames(frames, tmp_path / "lost.nc")
-    summary = next(iter(predict_file(model, tmp_path / "lost.nc")["tables"].values()))[0]
+    summary = next(iter(predict_file(model, tmp_path / "lost.nc", tmp_path)["tables"].values()))[0]
     assert (summary["frames"], summary["frames that lack a reading"]) == (len(frames) - 1, 1)
 
 
@@ -413,7 +413,9 @@ def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(fold
     normal[..., 2] *= 3.0  # labels that the estimator was not trained on
     save_frames(replace(true, force_n=normal), target)
     (own,), (other,) = (
-        next(iter(predict_file(folder / "robot" / "face_3.onnx", path)["tables"].values()))
+        next(
+            iter(predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)["tables"].values())
+        )
         for path in (folder / "press.nc", target)
     )
     assert own["force interval should hold"] == other["force interval should hold"] == 0.9
@@ -431,5 +433,5 @@ def test_without_load_cells_no_share_is_claimed(folder, tmp_path):
     )
     save_frames(nothing, tmp_path / "rest.nc")
     model = folder / "robot" / "face_3.onnx"
-    (row,) = next(iter(predict_file(model, tmp_path / "rest.nc")["tables"].values()))
+    (row,) = next(iter(predict_file(model, tmp_path / "rest.nc", tmp_path)["tables"].values()))
     assert "not known" in row["force interval held"]

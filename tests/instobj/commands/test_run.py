@@ -15,7 +15,10 @@ from tests.support.recordings.pressed_frames import made_frames
 @pytest.fixture
 def specification(tmp_path, monkeypatch):
     """One named cube, in a folder of results; what would be made is not."""
-    monkeypatch.setattr(run, "run_one_object", lambda spec, stages, *_: list(stages))
+    files = [{"path": "runs/cube/contacts.nc"}]
+    monkeypatch.setattr(
+        run, "run_one_object", lambda spec, stages, *_: {"stages": list(stages), "files": files}
+    )
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n')
     return path
@@ -26,10 +29,12 @@ def test_simulated_presses_do_not_take_the_place_of_a_recording(specification, t
     save_frames(replace(made_frames(), source=source), tmp_path / "runs" / "cube" / "frames.nc")
 
     def chain(*stages):
-        return run_chain([specification], stages, tmp_path, [])["objects"]
+        objects = run_chain([specification], stages, tmp_path, [])["objects"]
+        return [item["stages"] for item in objects]
 
     def trained():
-        return run_estimator([specification], ("networks",), tmp_path, [])["objects"]
+        objects = run_estimator([specification], ("networks",), tmp_path, [])["objects"]
+        return [item["stages"] for item in objects]
 
     assert chain("signals", "discretisation") == [["signals", "discretisation"]]
     if source == "simulated":

@@ -22,7 +22,7 @@ TABLES = (
         "alternatives",
         "settings",
         "maps",
-        "areas",
+        "score_rows",
         "cross_face",
         "nuisances",
         "bounds",
@@ -30,7 +30,7 @@ TABLES = (
         "discretisation",
     ),
     *("weak_areas", "weak_maps"),
-    *("parts", "stages", "discretisation_header", "deltas"),
+    *("parts", "stages", "discretisation_header"),
 )
 TEXTS = (
     *(
@@ -50,7 +50,7 @@ TEXTS = (
         "unreached",
         "decision",
     ),
-    *("weak_text", "edge_text"),
+    *("weak_text", "edge_text", "located", "delta"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 PICTURES += ("weak_picture", "delta_map", "compliance")
@@ -117,13 +117,13 @@ def test_files_beside_the_page_are_linked(tmp_path):
 def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
     content = {
         "decision": "Take magnets of N52",
-        "deltas": [{"area": "corner", "raw": 4.1, "over": 0.3}],
+        "delta": "4.1",
     }
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
     assert "Take magnets of N52" in told.split("Press it")[0]
     before, after = told.split("Convex-hull sensitivity δ", 1)
     assert "δ" not in before
-    assert "corner 4.1 0.3" in after
+    assert "Median: 4.1 counts 9 /N" in after
 
 
 @pytest.mark.parametrize(("covered", "warned"), [(0.44, True), (0.93, False)])
@@ -154,7 +154,7 @@ def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
     rows = [["mid-edge", *(f"{number / 7:.2f}" for number in range(8))]] * 8
     tables = ("checks", "alternatives", "mechanics", "discretisation")
     named_rows = [dict(enumerate(row)) for row in rows]
-    records = ("areas", "bounds", "cross_face", "weak_areas", "deltas", "parts")
+    records = ("score_rows", "bounds", "cross_face", "weak_areas", "parts")
     content = dict.fromkeys(tables, rows) | dict.fromkeys(records, named_rows)
     content |= {
         "settings": ["sensors.count_per_face = 4"],

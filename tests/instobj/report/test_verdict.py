@@ -64,3 +64,44 @@ def test_locations_that_are_not_judged_cover_nothing():
     hard, covered = judged(float(np.median(reach_n)))
     assert 0 < hard.judged.sum() < hard.places.sum()
     np.testing.assert_allclose(covered / whole, hard.judged.sum() / hard.places.sum())
+
+
+def test_the_sentence_s_numbers_are_those_of_the_table():
+    spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0})
+    scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
+    bounds = scores.position_bound_mm[scores.judged]
+    limit = round(float(np.quantile(bounds, 0.4)), 3)
+    spec = spec.changed(limits={"position_bound_mm": limit})
+    row = verdict.score_rows(scores)[0]
+    told = verdict.located_text(spec, scores)
+    for name in ("median", "95 % below", "worst"):
+        assert verdict.shown_against_limit(row[name], limit) in told
+    assert f"of face {row['on face']}, at ({row['at x, y mm']}) mm" in told
+    within = float(np.mean(bounds <= limit))
+    assert 0 < within < 1
+    assert f"{100 * within:.0f} % of the locations keep the limit of {limit:g} mm" in told
+
+
+@pytest.mark.parametrize(
+    ("xy_mm", "text"),
+    [
+        ((0.0, 0.0), "in the middle of face 2"),
+        ((18.0, 0.0), "near the middle of the edge +x of face 2"),
+        ((-18.0, 10.0), "near the edge −x of face 2"),
+        ((18.0, -18.0), "near the corner +x −y of face 2"),
+        ((10.0, 0.0), "between middle and edge of face 2"),
+    ],
+)
+def test_a_place_is_said_in_words(xy_mm, text):
+    told = verdict.place_text(coarse_spec(), 2, xy_mm)
+    assert told == f"{text}, at ({xy_mm[0]:g}, {xy_mm[1]:g}) mm"
+
+
+def test_a_design_is_judged_before_its_virtual_objects():
+    limits = {"position_bound_mm": 100.0, "detectable_force_n": 100.0}
+    spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0}, limits=limits)
+    scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
+    assert verdict.judge(spec, scores, 0.4).go
+    assert not verdict.judge(spec, scores, 0.05).go, "too little range stays free"
+    tight = spec.changed(limits=spec.limits.changed(position_bound_mm=0.1))
+    assert not verdict.judge(tight, scores, 0.4).go

@@ -36,7 +36,6 @@ CONTENT = {
     "weakest_tenth": {"border_mm": 7.0, "magnet_mm": 12.0, "curvature_per_mm": 0.01},
     "thirds": [
         {"measure": name, "low": low, "high": high, "places": 10, "bound_mm": bound}
-        | {"over_all": bound}
         for name, thirds in THIRDS.items()
         for low, high, bound in thirds
     ],

@@ -1,0 +1,55 @@
+"""The line that a command ends with: a command of instobj that a shell takes as it stands."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from typer.main import get_command
+
+from instobj.cli.app import app
+from instobj.commands.next_step import NEXT, next_step, verdict_step
+
+PATHS = (Path("a folder/my box.toml"), Path("recording.csv"))
+
+
+def parsed(words):
+    """Name of the command in a line, and its options as typer reads them."""
+    command = get_command(app)
+    while hasattr(command, "commands"):
+        name, *words = words
+        command = command.commands[name]
+    return name, command.make_context(name, words).params
+
+
+@pytest.mark.parametrize("done", NEXT)
+def test_every_next_step_is_taken_as_it_stands_also_with_blanks_in_paths(done):
+    count = {"docs": 0, "predict": 2, "validate": 2}.get(NEXT[done].split()[0], 1)
+    program, *words = shlex.split(next_step(done, *PATHS[:count]))
+    assert program == "instobj"
+    name, options = parsed(words)
+    assert name in NEXT[done].split()
+    given = [value for value in options.values() if value in PATHS or value == [PATHS[0]]]
+    assert len(given) >= min(count, 1)
+
+
+def test_what_was_set_and_where_results_lie_is_handed_on():
+    line = next_step("check", PATHS[0], out=Path("my results"), overrides=["score.force_n=3"])
+    assert shlex.split(line)[2:] == [
+        *("a folder/my box.toml", "--out", "my results", "--set", "score.force_n=3"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "following"),
+    [(("GO", "GO"), "run"), (("GO", "NO-GO"), "optimize"), (("GO", None), "score")],
+)
+def test_the_verdict_chooses_what_comes_next(tmp_path, verdicts, following):
+    specs = [tmp_path / f"{name}.toml" for name in "ab"]
+    for path in specs:
+        path.write_text(f'name = "{path.stem}"\n')
+    summaries = [{} if word is None else {"verdict": {word: ""}} for word in verdicts]
+    document = {"objects": [{"summary": summary} for summary in summaries]}
+    command = "run" if following == "score" else "score"
+    words = shlex.split(verdict_step(command, specs, Path(), [], document))
+    assert words[1] == following
+    assert words[2:] == [str(path) for path in specs if following != "optimize" or path == specs[1]]
