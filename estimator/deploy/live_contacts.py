@@ -86,7 +86,7 @@ class LiveContacts:
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
         now = self._told(raw_counts, left_out)
-        self._zero = self.level.after(now, time_s)
+        self._zero = self.level.update(now, time_s)
         if self._zero is None:
             return None
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)

@@ -216,7 +216,7 @@ class LiveReader:
             self.recent.clear()
         self.last_s = time_s
         self._remember(now)
-        zero = self.level.after(now, time_s)
+        zero = self.level.update(now, time_s)
         if zero is None:
             return None
         counts = np.where(self._past, now - self.recent[0], now - zero)

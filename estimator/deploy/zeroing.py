@@ -239,10 +239,10 @@ class StreamZero:
         if self.mode == "rest":
             self._rest = RestZero(self.frames, self.read, self.read_drift, self.level)
 
-    def after(
+    def update(
         self, raw: Float[np.ndarray, "channel"], time_s: float
     ) -> Float[np.ndarray, "channel"] | None:
-        """The zero once a frame of raw counts has come; None while there is none."""
+        """Take in a frame of raw counts and return the zero; None while there is none."""
         if self.mode == "none":
             return np.zeros(len(raw))
         if self._rest is not None:

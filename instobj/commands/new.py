@@ -55,7 +55,7 @@ from instobj.store.publish import require_writable
 Made = tuple[Tables, list[Finding]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
-"""By which a mould's seam is turned, and how many turned ones are tried of a shell."""
+"""Turns of a mould's seam that are tried (degrees), and how many of them for each shell."""
 _MOST_RELAID, _MOST_CHECKED = 6, 2
 """Layouts of magnets that are tried of a shell where no seam leaves walls, and how many are checked."""
 _BED = "fits the bed"
@@ -102,7 +102,7 @@ def new_specification(
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
         if max(request.size_mm) > most_printed_mm():
-            warnings.warn(_beyond_the_bed(request), stacklevel=2)
+            warnings.warn(_bed_warning(request), stacklevel=2)
     with atomic_path(target) as temporary:
         temporary.write_text(specification_text(name, out, tables), encoding="utf-8")
     return target
@@ -133,10 +133,10 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     fewest that failed, and these.
 
     Of each shell a few seams of its mould are tried that neither hook the body nor, by their numbers,
-    leave thin walls beside pins and holes; where no shell has one that can be made, magnets elsewhere.
+    leave thin walls next to pins and holes; where no shell has one that can be made, magnets elsewhere.
     """
     best: tuple[Tables, list[Finding]] | None = None
-    before, tried = set[str](), list[Tables]()
+    previous, tried = set[str](), list[Tables]()
     for placement in placements(request):
         tried.append(placement)
         checked = _checked_seams(placement)
@@ -146,9 +146,9 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
         checks = _checks(checked)
         if not checks or checks <= _OF_THE_BODY:
             return best
-        if checks == before and not all(map(_thin_mould, checked[1])):
+        if checks == previous and not all(map(_thin_mould, checked[1])):
             return best
-        before = checks
+        previous = checks
     if best is None or all(map(_thin_mould, best[1])):
         best = _made_with_magnets_elsewhere(request, tried) or best
     return best or _checked(islice(seams_of(tried[0]), 1)) or (tried[0], [])
@@ -218,13 +218,13 @@ def _made_with_magnets_elsewhere(
     request: Request, tried: list[Tables]
 ) -> tuple[Tables, list[Finding]] | None:
     """The first of some that can be made; None of none."""
-    parted = [one for one in tried if parts_somewhere(one)]
-    others = chain.from_iterable(islice(relaid(request, one), _MOST_RELAID) for one in parted)
-    seams = (next(filter(leaves_walls, seams_of(other)), None) for other in others)
+    parted = filter(parts_somewhere, tried)
+    layouts = chain.from_iterable(islice(relaid(request, old), _MOST_RELAID) for old in parted)
+    seams = (next(filter(leaves_walls, seams_of(layout)), None) for layout in layouts)
     for tables in islice(filter(None, seams), _MOST_CHECKED):
-        found = _checked([tables])
-        if found is not None and not found[1]:
-            return found
+        checked = _checked([tables])
+        if checked is not None and not checked[1]:
+            return checked
     return None
 
 
@@ -247,8 +247,10 @@ def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
 
 
 def seams_of(tables: Tables) -> Iterator[Tables]:
-    """As placed, and with the seam of the mould turned, by either way; first by those turns that hook no
-    more of the body (a fluted vase's by a whole flute)."""
+    """Yield the layout as placed, then with the seam of the mould turned either way.
+
+    Turns that hook no more of the body come first (a fluted vase's by a whole flute).
+    """
     spec = spec_of(tables)
     if body_of(spec).from_file and mould_style(spec) == "split":
         yield from _seams_of_a_file(tables, COMPLIANCE_FRACTION * spec.shell.thickness_mm)
@@ -260,19 +262,21 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
-    yield from sorted(turns, key=lambda one: round(undercut_fraction(spec_of(one)), 3))
+    yield from sorted(turns, key=lambda turn: round(undercut_fraction(spec_of(turn)), 3))
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
-    """Those whose halves hook the body no deeper than it gives way, the least first; as placed, where the
-    seam hooks the least area, before all others if it is one of them, or if there are none."""
+    """Yield layouts whose halves hook the body no deeper than it gives way; the least hooked first.
+
+    The layout as placed, where the seam hooks the least area, leads if it is among them or alone.
+    """
     as_placed = undercut_depth_mm(spec_of(tables)) <= room_mm
     if as_placed:
         yield tables
     hooked = hooked_by_azimuth_mm(tables)
-    found = sorted((depth, azimuth) for azimuth, depth in hooked.items() if depth <= room_mm)
-    yield from (turned(tables, azimuth) for _, azimuth in found)
-    if not (as_placed or found):
+    yielding = sorted((depth, azimuth) for azimuth, depth in hooked.items() if depth <= room_mm)
+    yield from (turned(tables, azimuth) for _, azimuth in yielding)
+    if not (as_placed or yielding):
         yield tables
 
 
@@ -286,8 +290,10 @@ def parts_somewhere(tables: Tables) -> bool:
 
 
 def leaves_walls(tables: Tables) -> bool:
-    """Whether no pin, pouring hole or vent leaves a thin wall, to the seam or to each other, and pins rest on
-    heads that can be printed."""
+    """Return whether the mould's walls can be printed, and the heads on which its pins rest.
+
+    Pins, pouring holes and vents leave thin walls to the seam or to each other.
+    """
     from design.layout.mould.pins import pins_thin_the_seam
     from design.mould.openings import holes_thin_walls
 
@@ -305,27 +311,31 @@ def told_unmade(failed: list[Finding], tables: Tables) -> str:
     if all(map(_thin_mould, failed)):
         return f"{text}{lines}{_why_seams_do_not_help(tables)}"
     hooked = any(finding.check == "undercut" for finding in failed)
-    return f"{text}{lines}{_how_it_hooks(tables) if hooked else ''}"
+    return f"{text}{lines}{_least_hooked_seam(tables) if hooked else ''}"
 
 
-def _how_it_hooks(tables: Tables) -> str:
+def _least_hooked_seam(tables: Tables) -> str:
     """Return which seam hooks a file's body least, and along which way halves would; empty of other kinds."""
     if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
         return ""
     spec = spec_of(tables)
     room = COMPLIANCE_FRACTION * spec.shell.thickness_mm
-    depth, azimuth = min((depth, one) for one, depth in hooked_by_azimuth_mm(tables).items())
+    depth, azimuth = min(
+        (depth, azimuth) for azimuth, depth in hooked_by_azimuth_mm(tables).items()
+    )
     deep, way = way_that_hooks_least(body_of(spec))
     drawn = (
         f"drawn along ({', '.join(f'{x:.2f}' for x in way)}) they would hook it by {deep:.2g} mm"
     )
     if deep > room:
-        other = f"{drawn}, and along no way by less: a mould of two halves does not suit this shape"
+        advice = (
+            f"{drawn}, and along no way by less: a mould of two halves does not suit this shape"
+        )
     else:
-        other = f"{drawn}: turn the body in its file so that this way lies level"
+        advice = f"{drawn}: turn the body in its file so that this way lies level"
     return (
         f"\nOf all seams about z that with mould.parting_azimuth_deg = {azimuth % 180:g} hooks it least, by "
-        f"about {depth:.2g} mm of {room:.2g} that give way; {other}"
+        f"about {depth:.2g} mm of {room:.2g} that give way; {advice}"
     )
 
 
@@ -337,7 +347,7 @@ def _why_seams_do_not_help(tables: Tables) -> str:
     if "mould" not in tables and not any(map(leaves_walls, seams_of(tables))):
         return (
             f"\nThe mould's seam, {most}, meets a pin, a pouring hole or a vent wherever it goes, and leaves "
-            "a thin wall beside it"
+            "a thin wall next to it"
         )
     return f"\nThe mould's seam, {most} to where pins and holes leave it walls, does not make them thicker"
 
@@ -358,7 +368,7 @@ def request_of(
         Options that do not go together, or a file that holds no closed body.
     """
     if kind is None and file is not None:
-        kind = next(name for name, one in KINDS.items() if one.from_file)
+        kind = next(name for name, body in KINDS.items() if body.from_file)
     if kind is None and size_mm is None and file is None:
         _refuse_alone("with --kind and --size, or with --from", sensors=sensors, magnets=magnets)
     if file is None:
@@ -371,7 +381,7 @@ def request_of(
     if scale is not None and not 0 < scale < inf:
         raise InputError(f"--scale must be above 0 and finite; got {scale:g}. Leave it out for 1")
     if KINDS[kind].from_file != (file is not None):
-        read = next(name for name, one in KINDS.items() if one.from_file)
+        read = next(name for name, body in KINDS.items() if body.from_file)
         raise InputError(f"--from FILE goes with --kind {read}. Give both, or neither")
     if (size_mm is None) == (file is None):
         raise InputError(
@@ -379,8 +389,8 @@ def request_of(
             f"--kind {kind}{'' if size_mm is None else ' and --size'}. "
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
-    asked = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
-    request = asked if sensors is None else replace(asked, sensors=sensors)
+    request = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
+    request = request if sensors is None else replace(request, sensors=sensors)
     if file is None:
         return request
     mm = 1.0 if scale is None else scale
@@ -450,17 +460,17 @@ def _refuse_alone(goes_with: str, **options: Any) -> None:
 
 def _left_out_faces(request: Request, sensed: list[int]) -> str:
     """Return which faces a placement does without."""
-    told = f"{', '.join(map(str, sensed[:-1]))} and {sensed[-1]}" if sensed[1:] else str(sensed[0])
+    faces = f"{', '.join(map(str, sensed[:-1]))} and {sensed[-1]}" if sensed[1:] else str(sensed[0])
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     return (
-        f"only face{'s' * (len(sensed) > 1)} {told} can take {sensors} and the magnets; the others are "
+        f"only face{'s' * (len(sensed) > 1)} {faces} can take {sensors} and the magnets; the others are "
         "not sensed (body.sensed_faces). Ask for fewer sensors or magnets to sense more"
     )
 
 
-def _beyond_the_bed(request: Request) -> str:
+def _bed_warning(request: Request) -> str:
     bed = " × ".join(f"{edge:g}" for edge in ObjectSpec(name="default").printer.bed_mm)
     return (
         f"moulds of bodies above {most_printed_mm():g} mm do not fit the printer's {bed} mm, which check "
-        f"--fabrication will tell; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
+        f"--fabrication will say; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
     )

@@ -223,7 +223,7 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[F
     reader, filled = _Zeros(zeroing, _stillness(estimators, frames)), np.nan_to_num(raw)
 
     def zero_of(number: int) -> np.ndarray | None:
-        return reader.level.after(filled[number].ravel(), float(stamps[number]))
+        return reader.level.update(filled[number].ravel(), float(stamps[number]))
 
     zeros, texts = read_through(count, zero_of, reader, stream.loaded)
     zeroed = np.array([number for number, zero in enumerate(zeros) if zero is not None], int)

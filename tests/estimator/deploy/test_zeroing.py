@@ -250,9 +250,9 @@ def test_windows_last_six_tenths_of_a_second_and_eight_frames():
 def test_modes_of_a_stream_s_zero():
     first = zeroing.StreamZero("first", 2, read)
     rows = [np.full(6, value) for value in (1.0, 3.0, 50.0)]
-    assert [first.after(row, 0.0) is None for row in rows] == [True, True, False]
-    assert first.after(rows[2], 0.0).tolist() == [2.0] * 6
-    assert zeroing.StreamZero("none", 2, read).after(rows[0], 0.0).tolist() == [0.0] * 6
+    assert [first.update(row, 0.0) is None for row in rows] == [True, True, False]
+    assert first.update(rows[2], 0.0).tolist() == [2.0] * 6
+    assert zeroing.StreamZero("none", 2, read).update(rows[0], 0.0).tolist() == [0.0] * 6
 
 
 def test_one_wrong_reading_does_not_move_the_zero():
@@ -307,7 +307,7 @@ class Changes:
         self.level = StreamZero("rest", 8, read, level=level)
 
     def force_n(self, raw, time_s):
-        zero = self.level.after(raw, time_s)
+        zero = self.level.update(raw, time_s)
         return None if zero is None else read(raw - zero).force_n
 
 
