@@ -9,6 +9,7 @@ import os
 import shlex
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 from matplotlib import get_data_path
@@ -26,7 +27,15 @@ def printed(command: list[str]) -> list[str]:
     program = [sys.executable, "-m", *command] if command[0] == "instobj" else command
     done = subprocess.run(program, env=environment, capture_output=True, text=True, check=True)
     # paths below the working folder as a reader would write them
-    return done.stdout.replace(f"{Path.cwd()}/", "").rstrip().splitlines()
+    lines = done.stdout.replace(f"{Path.cwd()}/", "").rstrip().splitlines()
+    return [part for line in lines for part in _folded(line)]
+
+
+def _folded(line: str) -> list[str]:
+    """Return the rows that a terminal makes of a long line, at blanks and further in for legibility."""
+    if len(line) <= COLUMNS:
+        return [line]
+    return textwrap.wrap(line, COLUMNS, subsequent_indent="      ", drop_whitespace=True)
 
 
 def draw(path: Path, command: list[str]) -> None:
