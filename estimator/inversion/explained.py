@@ -10,24 +10,22 @@ above ½. It counts for p values alone: places and forces keep the whole error.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from jaxtyping import Float
 
 from estimator.inversion.model.forward import ContactModel
-from estimator.inversion.posterior import most_probable
+from estimator.inversion.posterior import lowered_misfits
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import BLIND, Observations, Problems
 
 UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""
-_SHARES = np.array([0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0])
+_SHARES = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)
 """Shares of the believed error that are tried."""
 _LEAST_FRAMES, MOST_FRAMES = 20, 100
 """Pressed frames from which a share is learnt, and of which the latest count."""
-_STEPS = 1
-"""Steps from contacts that were fitted with the whole error."""
 
 
 @dataclass
@@ -47,10 +45,7 @@ class ErrorShare:
         if not len(rows):
             return
         pressed = problems.select(rows)
-        p_values = [
-            self.refitted_p_values(observations, pressed, share) for share in _SHARES.tolist()
-        ]
-        self.p_values.extend(np.stack(p_values, axis=1))
+        self.p_values.extend(self.refitted_p_values(observations, pressed, *_SHARES))
 
     @property
     def share(self) -> float:
@@ -64,15 +59,18 @@ class ErrorShare:
         return float(np.interp(0.5, median, _SHARES))
 
     def refitted_p_values(
-        self, observations: Observations, problems: Problems, share: float
-    ) -> Float[np.ndarray, "problem"]:
-        """Return p values of contacts, refitted, with a share of the model's error."""
-        strict = observations.with_error_share(share)
-        if np.array_equal(strict.sigma, observations.sigma):
-            return p_values(observations, problems)
-        given = problems.frame, problems.face, problems.contact
-        fit = most_probable(self.model, self.priors, strict, *given, problems.extra, 1, _STEPS)
-        return p_values(strict, fit.to_host())
+        self, observations: Observations, problems: Problems, *shares: float
+    ) -> Float[np.ndarray, "problem share"]:
+        """Return p values of contacts, refitted, with shares of the model's error."""
+        shape = len(problems), len(shares)
+        repeated = problems.select(np.repeat(np.arange(len(problems)), len(shares)))
+        frames = observations.select(repeated.frame)
+        strict = frames.with_error_share(np.tile(shares, len(problems))[:, None])
+        alone = replace(repeated, frame=np.arange(len(repeated)))
+        if not np.array_equal(strict.sigma, frames.sigma):
+            misfit = lowered_misfits(self.model, self.priors, strict, alone)
+            alone = replace(alone, misfit=misfit)
+        return p_values(strict, alone).reshape(shape)
 
 
 def p_values(observations: Observations, problems: Problems) -> Float[np.ndarray, "problem"]:

@@ -264,11 +264,12 @@ class Inversion:
 
         Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
         """
-        p_value = error.refitted_p_values(observations, problems, error.share)
+        p_value = error.refitted_p_values(observations, problems, error.share)[:, 0]
         if covariance is None:
             covariance = covariances(problems, self.priors)
-        factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)
-        covariance = widened(covariance, factor, self.priors)
+        if np.any(p_value < UNEXPLAINED):
+            factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)
+            covariance = widened(covariance, factor, self.priors)
         sets = contact_sets(
             self.model, self.priors, observations, problems, odds, p_value, covariance
         )

@@ -54,7 +54,7 @@ def lying_chip_beside(
     many = contacts.select(np.zeros(len(chips), int))
     given = np.arange(len(chips)), many.face, many.contact, many.extra, 1, _STEPS
     fit = most_probable(search.model, search.priors, tried, *given).to_host()
-    p_value = error.refitted_p_values(tried, fit, error.share)
+    p_value = error.refitted_p_values(tried, fit, error.share)[:, 0]
     best = int(p_value.argmax())
     return int(chips[best]) if p_value[best] >= _EXPLAINS else NONE
 

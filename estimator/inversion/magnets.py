@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from estimator.inversion.explained import UNEXPLAINED, p_values
+from estimator.inversion.model.arrays import like, rows_of
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.posterior import most_probable
-from estimator.inversion.problems import Observations, Problems
+from estimator.inversion.posterior import most_probable, refitted
+from estimator.inversion.problems import BLIND, Observations, Problems
 from estimator.inversion.search import Hypotheses, Search
 
 _LOG_ODDS = -0.5
@@ -23,6 +24,9 @@ _TOGETHER = 2.5
 several contacts at once. Without it, grasps of weak signals are taken for magnets (tests)."""
 _STEPS = 3
 """Steps of fits with a magnet near by, from contacts that were fitted without it."""
+_HOPELESS = 100.0
+"""Misfit over that without a magnet, from which a fit ends with its first step: no magnet shows what strong
+contacts show."""
 
 
 @dataclass(frozen=True)
@@ -35,15 +39,18 @@ class BesideMagnet:
     plain: Observations
     columns: tuple[Float[np.ndarray, "channel k"], ...]
 
-    @cached_property
-    def shell_observations(self) -> tuple[Observations, ...]:
-        """Return the frames with the field of a magnet in each shell integrated out."""
-        return tuple(self.plain.add_nuisances(columns) for columns in self.columns)
-
     @property
     def wide(self) -> Observations:
         """Return the frames with the field of a magnet in the nearest shell integrated out."""
-        return self.shell_observations[0]
+        return self.plain.add_nuisances(self.columns[0])
+
+    @cached_property
+    def _shells(self) -> Observations:
+        """Return the frames with the field of a magnet integrated out, shell by shell."""
+        frames = len(self.plain.counts)
+        columns = np.stack([self.plain.add_nuisances(shell).shared for shell in self.columns])
+        repeated = self.plain.select(np.tile(np.arange(frames), len(columns)))
+        return replace(repeated, columns=columns.repeat(frames, axis=0))
 
     def log_evidence(self, search: Search, sets: Problems) -> Float[np.ndarray, "set"]:
         """Return the log evidence of contacts near a magnet, on the scale of those without one.
@@ -56,17 +63,27 @@ class BesideMagnet:
         self, search: Search, sets: Problems
     ) -> tuple[Float[np.ndarray, "set"], Float[np.ndarray, "set"]]:
         """Return `log_evidence` and the largest p value of any shell."""
-        of_shells, p_value = [], np.zeros(len(sets))
-        for observations in self.shell_observations:
-            given = sets.frame, sets.face, sets.contact, None, 1, _STEPS
-            moved = observations.moved_to(search.reference)
-            fit = most_probable(search.model, search.priors, moved, *given).to_host()
-            # Evidence leaves out the density of each whitening; a wider one is the lower by the share
-            # of signals that it allows for.
-            spread = observations.white.log_spread() - self.plain.white.log_spread()
-            of_shells.append(search.judged(fit).log_evidence - spread[sets.frame])
-            p_value = np.maximum(p_value, p_values(observations, fit))
-        return np.logaddexp.reduce(of_shells) - np.log(len(of_shells)) + _LOG_ODDS, p_value
+        frames, shells = len(self.plain.counts), len(self.columns)
+        rows = np.tile(np.arange(len(sets)), shells)
+        many = sets.select(rows)
+        frame = many.frame + frames * np.arange(shells).repeat(len(sets))
+        face, contact = (like(search.reference, part) for part in (sets.face, sets.contact))
+        extra = rows_of(search.model.interaction(face, contact), rows)
+        moved = self._shells.moved_to(search.reference)
+        given = frame, many.face, many.contact, extra, 1, 1
+        fit = most_probable(search.model, search.priors, moved, *given)
+        (hopeful,) = np.nonzero(fit.misfit < many.misfit + _HOPELESS)
+        if len(hopeful):
+            again = fit.select(hopeful)
+            again = refitted(search.model, search.priors, moved, again, 1, _STEPS - 1)
+            fit = fit.replaced(hopeful, again)
+        fit = fit.to_host()
+        # Evidence leaves out the density of each whitening; a wider one is the lower by the share
+        # of signals that it allows for.
+        spread = self._shells.white.log_spread()[frame] - self.plain.white.log_spread()[many.frame]
+        evidence = (search.judged(fit).log_evidence - spread).reshape(shells, -1)
+        p_value = p_values(self._shells, fit).reshape(shells, -1).max(axis=0)
+        return np.logaddexp.reduce(evidence) - np.log(shells) + _LOG_ODDS, p_value
 
     def explains_with_fewer(
         self, search: Search, believed: Hypotheses
@@ -78,31 +95,34 @@ class BesideMagnet:
         also one that does not explain the frame.
         """
         best = believed.problems
-        beside, p_value = self._judged_by_number(search, best)
-        beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)[:, :-1]
+        # Any magnet explains fewer readings than it has unknowns: they tell nothing of one.
+        readings = np.sum(self.plain.sigma[best.frame] < BLIND / 2, axis=1)
+        # A magnet beside the whole set is a further source, and no better place of any contact.
+        beside, p_value = self._judged_by_number(search, best, best.number - 1)
+        beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)
         dropped = best.number[:, None] - np.arange(beside.shape[1])
         beside = beside - _TOGETHER * np.maximum(dropped - 1, 0)
-        # A magnet beside the whole set is a further source, and no better place of any contact.
-        beside[np.arange(beside.shape[1]) >= best.number[:, None]] = -np.inf
-        return beside.max(axis=1, initial=-np.inf) > believed.log_evidence
+        likelier = beside.max(axis=1, initial=-np.inf) > believed.log_evidence
+        return likelier & (readings > self.columns[0].shape[1])
 
     def is_likelier_than_chip(
         self, search: Search, believed: Hypotheses, without_chip: Float[np.ndarray, "frame"]
     ) -> Bool[np.ndarray, "frame"]:
         """Return where a magnet and some of the believed contacts are more probable than a chip that
         lies; `without_chip` as `log_evidence_without` gives it."""
-        return self._judged_by_number(search, believed.problems)[0].max(axis=1) > without_chip
+        sets = believed.problems
+        return self._judged_by_number(search, sets, sets.number)[0].max(axis=1) > without_chip
 
     def _judged_by_number(
-        self, search: Search, sets: Problems
+        self, search: Search, sets: Problems, most: Int[np.ndarray, "frame"]
     ) -> tuple[Float[np.ndarray, "frame kept"], Float[np.ndarray, "frame kept"]]:
         """Return log evidence and p value of a magnet and the strongest 0, 1, 2, … contacts of each
-        frame's set; −∞ beyond its number."""
+        frame's set; −∞ beyond the most that are kept of it."""
         order = np.argsort(-sets.contact[..., 2] * (sets.face != NONE), axis=1, kind="stable")
         face = np.take_along_axis(sets.face, order, 1)
         contact = np.take_along_axis(sets.contact, order[..., None], 1)
         slots = face.shape[1]
-        row, kept = np.nonzero(np.arange(slots + 1) <= sets.number[:, None])
+        row, kept = np.nonzero(np.arange(slots + 1) <= most[:, None])
         few = np.where(np.arange(slots) < kept[:, None], face[row], NONE)
         tried = replace(sets.select(row), face=few, contact=contact[row])
         evidence, p_value = np.full((2, len(sets), slots + 1), -np.inf)

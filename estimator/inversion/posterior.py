@@ -36,7 +36,7 @@ _ROUNDS = 3
 _STEPS = 8
 """Levenberg–Marquardt steps of a round, at most."""
 _SETTLED = 1e-3
-"""Gain of a step, in half χ², below which a problem has settled.
+"""Gain that a step promises, in half χ², below which a problem has settled: it is the last, and not tried.
 
 Such a step moves contacts by 0.045 standard deviations of their posterior (½ z² = 0.001).
 """
@@ -73,6 +73,31 @@ def most_probable(
     extra = model.interaction(face_at, at_contact) if extra is None else extra
     start = _Start(frame_at, face_at, at_contact, extra)
     return widened_covariance(fit.problems(start, rounds), slots)
+
+
+def lowered_misfits(
+    model: ContactModel, priors: Priors, observations: Observations, problems: Problems
+) -> Float[np.ndarray, "problem"]:
+    """Return the misfit of contacts that were fitted with other deviations, after one step.
+
+    Step and gain are those of the quadratic at the contacts: both fits are near.
+    """
+    used = used_slots(problems.face)
+    frame, face, contact, extra = (
+        like(observations.sigma, part)
+        for part in (
+            problems.frame,
+            problems.face[:, :used],
+            problems.contact[:, :used],
+            problems.extra,
+        )
+    )
+    hold = HeldBounds(model, priors, observations.sigma)
+    quadratic = _posterior(model, priors, observations, frame, face, extra).expand(contact)
+    damping = zeros(contact, (len(contact),)) + _FIRST_DAMPING
+    _, promised, _ = _promised_step(face, hold, contact, quadratic, damping)
+    # A cut step may promise a loss: it is then not made.
+    return to_host(library(contact).minimum(promised.misfit, quadratic.misfit))
 
 
 def refitted(
@@ -196,6 +221,7 @@ class HeldBounds:
         self.lowest, self.highest = (
             like(reference, end) for end in held_between(model.bounds, priors)
         )
+        self.longest = like(reference, _LONGEST)
 
     def __call__(self, face: Array, contact: Array) -> Array:
         xp = library(contact)
@@ -207,18 +233,29 @@ def _descend(
     posterior: _Posterior, hold: HeldBounds, contact: Array, quadratic: Quadratic, steps: int
 ) -> tuple[Array, Quadratic]:
     """Return contacts after damped steps with the interaction held, and the misfit there."""
-    xp = library(contact)
-    longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
-    damping = zeros(contact, (len(contact),)) + _FIRST_DAMPING
+    xp, damping = library(contact), zeros(contact, (len(contact),)) + _FIRST_DAMPING
     all_problems, rows = (
         (contact, quadratic),
         None,
     )  # of all problems; which of them still go on (None: all)
+    going = damping > 0
     for _ in range(steps):
-        step = damped_step(quadratic.slope, quadratic.curvature, damping)
-        # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
-        step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
-        trial = hold(posterior.face, contact + step)
+        trial, promised, cut = _promised_step(posterior.face, hold, contact, quadratic, damping)
+        gain = quadratic.misfit - promised.misfit
+        # A cut step is tried whatever it promises: a shorter one may gain where it does not.
+        small = ~cut & (gain <= _SETTLED)
+        going = going & ~small
+        if not going.all():
+            # Settled problems take what is promised. They are stored and dropped, so that later
+            # steps cost less.
+            settled = _chosen_of(small & (gain > 0), (trial, promised), (contact, quadratic))
+            all_problems = _put(all_problems, rows, settled)
+            going = true_rows(going)
+            rows = going if rows is None else rows[going]
+            if not len(rows):
+                return all_problems
+            contact, trial, damping = contact[going], trial[going], damping[going]
+            quadratic, posterior = quadratic.select(going), posterior.select(going)
         at_trial = posterior.expand(trial)
         gain = quadratic.misfit - at_trial.misfit
         better = gain > 0
@@ -226,17 +263,26 @@ def _descend(
         # A step that gains is followed by a bolder one; one that does not is undone and shortened.
         damping = damping * xp.where(better, 1 / 8, 8.0)
         going = xp.where(better, gain > _SETTLED, damping < _MOST_DAMPING)
-        if going.all():
-            continue
-        # Settled problems are stored and dropped, so that later steps cost less.
-        all_problems = _put(all_problems, rows, (contact, quadratic))
-        going = true_rows(going)
-        rows = going if rows is None else rows[going]
-        if not len(rows):
-            return all_problems
-        contact, quadratic, damping = contact[going], quadratic.select(going), damping[going]
-        posterior = posterior.select(going)
     return _put(all_problems, rows, (contact, quadratic))
+
+
+def _promised_step(
+    face: Array, hold: HeldBounds, contact: Array, quadratic: Quadratic, damping: Array
+) -> tuple[Array, Quadratic, Bool[Array, "problem"]]:
+    """Return contacts after one damped step, what the quadratic promises there, and which steps are cut."""
+    xp, longest = library(contact), hold.longest
+    step = damped_step(quadratic.slope, quadratic.curvature, damping).reshape(contact.shape)
+    # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
+    trial = hold(face, contact + xp.minimum(xp.maximum(step, -longest), longest))
+    cut = (trial != contact + step).any(axis=-1).any(axis=-1)
+    moved = (trial - contact).reshape(quadratic.slope.shape)
+    # Of the step d that is left of it: misfit + gᵀd + ½ dᵀHd, slope g + Hd
+    turned = (quadratic.curvature @ moved[..., None])[..., 0]
+    misfit = quadratic.misfit + ((quadratic.slope + 0.5 * turned) * moved).sum(axis=1)
+    promised = Quadratic(
+        misfit, quadratic.slope + turned, quadratic.curvature, quadratic.log_spread
+    )
+    return trial, promised, cut
 
 
 _State = tuple[Array, Quadratic]

@@ -63,18 +63,21 @@ class Observations:
     sigma : their standard deviations around contacts
     still : the same without the error of the forward model, which nothing pressed has not
     strict : the same as `sigma` with no more of that error than a model may have that explains a frame
-    columns : counts that nuisances common to all channels add, a standard deviation of each; or None
+    columns : counts that nuisances common to all channels add, a standard deviation of each, alike in
+        all frames or of each frame; or None
     """
 
     counts: Float[Array, "frame channel"]
     sigma: Float[Array, "frame channel"]
     still: Float[Array, "frame channel"]
     strict: Float[Array, "frame channel"]
-    columns: Float[Array, "channel k"] | None = None
+    columns: Float[Array, "*frame channel k"] | None = None
 
     def moved_to(self, reference: Array) -> Observations:
         """The same where the reference is."""
-        parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
+        if type(reference) is type(self.counts) is np.ndarray:
+            return self
+        parts = (self.counts, self.sigma, self.still, self.strict, self.shared)
         return Observations(*(like(reference, part) for part in parts))
 
     def select(self, frames: Int[np.ndarray, "some"]) -> Observations:
@@ -82,7 +85,10 @@ class Observations:
         counts, sigma, still, strict = (
             part[frames] for part in (self.counts, self.sigma, self.still, self.strict)
         )
-        return Observations(counts, sigma, still, strict, self.columns)
+        columns = self.columns
+        if columns is not None and columns.ndim > 2:
+            columns = columns[frames]
+        return Observations(counts, sigma, still, strict, columns)
 
     def without(self, chip: Int[np.ndarray, "frame"]) -> Observations:
         """The same without what one chip shows in each frame; all of it where that is `NONE`."""
@@ -94,24 +100,25 @@ class Observations:
 
     def add_nuisances(self, columns: Float[np.ndarray, "channel more"]) -> Observations:
         """The same where further nuisances add to all channels."""
-        return replace(self, columns=np.hstack([self._shared, columns]))
+        return replace(self, columns=np.hstack([self.shared, columns]))
 
-    def with_error_share(self, share: float) -> Observations:
-        """The same around contacts of a model with that share of the strict error."""
+    def with_error_share(self, share: float | Float[np.ndarray, "frame 1"]) -> Observations:
+        """The same around contacts of a model with that share of the strict error, of all or each frame."""
         still, strict = self.still**2, self.strict**2
         return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
 
     @cached_property
     def white(self) -> Whitening:
         """Return the whitening of the disturbances around contacts."""
-        return whitening(self.sigma, self._shared)
+        return whitening(self.sigma, self.shared)
 
     @cached_property
     def _white_still(self) -> Whitening:
-        return whitening(self.still, self._shared)
+        return whitening(self.still, self.shared)
 
     @property
-    def _shared(self) -> Float[Array, "channel k"]:
+    def shared(self) -> Float[Array, "*frame channel k"]:
+        """Return the nuisances' columns, none where there are none."""
         none = zeros(self.counts, (self.counts.shape[1], 0))
         return none if self.columns is None else self.columns
 

@@ -13,6 +13,7 @@ from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.jaws import JawFit
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
+from estimator.inversion.posterior import used_slots
 from estimator.inversion.priors import Priors, widths
 from estimator.inversion.problems import Observations, Problems
 from estimator.inversion.search import Hypotheses
@@ -57,13 +58,6 @@ class ContactSets(Columns):
     since_zero: Float[np.ndarray, "frame unknown"]
     since_zero_sigma: Float[np.ndarray, "frame unknown"]
     tilt_deg: Float[np.ndarray, "frame contact 2"]
-
-    def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
-        """The same with the sets of some frames replaced."""
-        columns = [column.copy() for column in self._columns()]
-        for column, replacement in zip(columns, others._columns(), strict=True):
-            column[rows] = replacement
-        return ContactSets(*columns)
 
     def with_force_error(self, relative: float) -> ContactSets:
         """Return the sets with forces also wrong by a common relative error."""
@@ -199,27 +193,27 @@ def changes_since_zero(
 ) -> tuple[Float[np.ndarray, "problem k"], Float[np.ndarray, "problem k"]]:
     """Nuisances of each frame in standard deviations of their priors: posterior mean at the contacts
     found, and its standard deviation with what is uncertain of the contacts."""
-    face, contact, white = (
-        problems.face,
-        problems.contact,
-        observations.white.select(problems.frame),
-    )
+    used = used_slots(problems.face)
     columns = (
         np.zeros((model.channels, 0)) if observations.columns is None else observations.columns
     )
-    singles = model.singles(face, contact)
+    singles = model.singles(problems.face[:, :used], problems.contact[:, :used])
     residual = observations.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
-    jacobian = singles[:, :, 1:].reshape(len(face), 3 * face.shape[1], model.channels)
+    jacobian = singles[:, :, 1:].reshape(len(singles), 3 * used, model.channels)
+    each = np.broadcast_to(columns.T, (len(singles), *columns.T.shape))
+    white = observations.white.select(problems.frame)
+    white_rows = white(np.concatenate([each, residual[:, None], jacobian], axis=1))
     # With r = A t + noise and t ~ N(0, 1) the mean is AᵀΣ⁻¹r, the covariance 1 − AᵀΣ⁻¹A; Σ⁻¹ = WᵀW.
-    each = white(np.broadcast_to(columns.T, (len(face), *columns.T.shape)))
-    mean = (each @ white(residual[:, None]).transpose(0, 2, 1))[..., 0]
-    carried = each @ white(jacobian).transpose(0, 2, 1)
-    contacts = np.linalg.inv(bounded_curvature(problems, priors))
-    unseen = np.eye(columns.shape[1]) - each @ each.transpose(0, 2, 1)
+    unknowns = columns.shape[1]
+    products = white_rows[:, :unknowns] @ white_rows.swapaxes(1, 2)
+    overlap, mean, carried = np.split(products, [unknowns, unknowns + 1], axis=2)
+    contacts = np.linalg.inv(bounded_curvature(problems, priors)[:, : 3 * used, : 3 * used])
     variance = np.diagonal(
-        unseen + carried @ contacts @ carried.transpose(0, 2, 1), axis1=1, axis2=2
+        np.eye(unknowns) - overlap + carried @ contacts @ carried.transpose(0, 2, 1),
+        axis1=1,
+        axis2=2,
     )
-    return mean, np.sqrt(np.maximum(variance, 0.0))
+    return mean[..., 0], np.sqrt(np.maximum(variance, 0.0))
 
 
 def tangential_forces(

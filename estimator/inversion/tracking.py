@@ -32,7 +32,7 @@ _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
 _LEARNT_EVERY = 5
 """Interval, in pressed frames, at which the error of the model is learnt, and at which contacts that go on
-are weighed against a magnet: more than half of such a frame's time."""
+are weighed against a magnet, two frames later: that takes more time than the rest of a frame."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 _TRUSTED_AFTER = 8
@@ -97,7 +97,7 @@ class Tracker:
             sets = self._diagnosed(plain, last, sets)
         elif (
             self._jaws is None
-            and (changed or self._pressed % _LEARNT_EVERY == 0)
+            and (changed or self._pressed % _LEARNT_EVERY == 2)
             and self._is_magnet(plain)
         ):
             sets = self._turned(plain, None, NONE, magnet=True)
@@ -243,9 +243,8 @@ class Tracker:
         search, last = self.inversion.search, self._last
         if last is None or not last.number[0]:
             return empty(observations, np.zeros(1, int), search.priors.most)
-        extra = search.model.interaction(last.face, last.contact)
-        start = last.frame, last.face, last.contact
-        return most_probable(search.model, search.priors, observations, *start, extra, 1, _STEPS)
+        start = last.frame, last.face, last.contact, None, 1, _STEPS
+        return most_probable(search.model, search.priors, observations, *start)
 
     def has_changed(
         self, observations: Observations, same: Problems

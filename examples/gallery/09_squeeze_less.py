@@ -2,59 +2,88 @@
 Squeeze less
 ============
 
-A jaw presses the object until its sensors say that the grip is strong enough, then stops. Two
-policies lift the same object: one squeezes with a fixed force, the other by what the object felt.
+A jaw presses an object until the object's own sensors say that the grip is strong enough. Two
+policies lift the same weights: one squeezes with a fixed force, the other by what the object felt.
 """
 
 # %%
-# The object's presses, simulated
-# -------------------------------
+# The object in a simulator, and its reader
+# -----------------------------------------
+# ``HallObject`` turns contacts into counts, with noise and drift. The reader turns counts into
+# contacts. Both come from one file, ``contacts.nc``; for your own object take that of its twin.
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 
 import instobj
 
-run = instobj.Run(instobj.load_spec("small_cube.toml"))
-signals = run.signals
-middle = int(np.argmin(np.hypot(signals.x_mm.values, signals.y_mm.values)))
-press = signals.isel(face=0, place=middle)
-force_n = np.append(0.0, press.force_n.values)
-depth_mm = np.append(0.0, press.depth_mm.values)
-felt = np.append(0.0, np.linalg.norm(press.delta_counts.values, axis=(1, 2)))
-
-# %%
-# A loop with the object's own compliance
-# ---------------------------------------
-# The jaw closes by small steps and reads 16 frames at each. The policy sees counts with noise
-# alone. It stops at the force that friction needs, with a margin.
-NOISE = np.mean(run.spec.sensors.noise_counts) / 4  # of the mean of 16 frames
-WEIGHTS_N, FRICTION, STEP_MM = np.linspace(0.4, 2.0, 9), 0.5, 0.02
+spec = instobj.load_spec("small_cube.toml").changed(limits={"use": "bench"})  # it stands still
+run = instobj.Run(spec)
+contacts_file = run.require("inversion").folder / "contacts.nc"
+hall, reader = instobj.sim.HallObject(contacts_file, seed=1), run.inversion
+top = np.array([[0.0, 0.0, spec.body.size_mm[2] / 2]])
+squeeze_n = np.append(np.zeros(4), np.arange(0.15, 8.0, 0.15))  # begins with rest, for the zero
+HELD = 4  # frames that each squeeze is held for
 
 
-def grip(stop_n, rng):
-    for travel_mm in np.arange(0.0, depth_mm[-1], STEP_MM):
-        true_n = np.interp(travel_mm, depth_mm, force_n)
-        seen = np.interp(true_n, force_n, felt) + rng.normal(0.0, NOISE)
-        if np.interp(seen, felt, force_n) >= stop_n:
-            return true_n
-    return force_n[-1]
+def close():
+    """Return the counts (squeeze, frame, channel) of a closing jaw, and the force read at each squeeze."""
+    hall.reset()
+    force_n = squeeze_n.repeat(HELD)
+    frames = np.array([hall.read(top, np.array([force])).ravel() for force in force_n])
+    counts = frames.reshape(len(squeeze_n), HELD, -1)
+    held, zero = counts.mean(axis=1), counts[:4].mean(axis=(0, 1))
+    sets, _ = reader.read(held - zero, averaged=np.full(len(held), HELD))
+    return counts, np.nansum(sets.force_n, axis=1)
 
 
 # %%
 # Tuned and judged by what the object felt
 # ----------------------------------------
-# The smallest margin that never drops the object in the tuning grasps is judged on new ones.
-def forces_of(margin, seed):
-    rng = np.random.default_rng(seed)
-    return np.array([grip(margin * w / (2 * FRICTION), rng) for w in WEIGHTS_N])
+# The policy stops at the force that friction needs, with a margin. The smallest margin that drops
+# nothing in eight closings is judged on eight new ones.
+needed_n = np.linspace(1.5, 6.0, 9)  # weight / (2 × friction)
 
 
-needed_n = WEIGHTS_N / (2 * FRICTION)
-margins = np.arange(1.0, 3.0, 0.05)
-safe = [m for m in margins if all((forces_of(m, s) >= needed_n).all() for s in range(5))]
-judged_n = np.mean([forces_of(safe[0], seed) for seed in range(100, 110)], axis=0)
-fixed_n = np.full(len(WEIGHTS_N), 1.2 * needed_n.max())
-plt.plot(WEIGHTS_N, np.transpose([judged_n, fixed_n, needed_n]), label=["felt", "fixed", "needed"])
-plt.gca().set(xlabel="weight, N", ylabel="squeeze, N")
-plt.legend()
+def stops(margin, read_n):
+    twice_n = np.minimum(read_n[1:], read_n[:-1])  # a single reading may err
+    return np.array([squeeze_n[1 + np.argmax(twice_n >= margin * n)] for n in needed_n])
+
+
+felt_n = [close()[1] for _ in range(16)]
+margins = np.arange(1.0, 2.4, 0.05)
+safe = [m for m in margins if all((stops(m, read_n) >= needed_n).all() for read_n in felt_n[:8])]
+judged_n = np.array([stops(safe[0], read_n) for read_n in felt_n[8:]])
+fixed_n = np.full(len(needed_n), 1.2 * needed_n.max())
+
+# %%
+# The same reader on the bench
+# ----------------------------
+# A closing as a recording, in the format of a board's. The command that reads a board
+# (``instobj predict contacts.nc --port PORT``) replays it with the same file.
+counts, read_n = close()
+recording = Path(tempfile.mkdtemp()) / "closing.csv"
+names = ["time_s", *(f"F1-{axis}{chip}" for chip in (1, 2, 3) for axis in "XYZ")]
+frames = counts.reshape(-1, counts.shape[2])
+time_s = np.arange(len(frames)) / spec.sensors.frame_rate_hz
+table = np.column_stack([time_s, frames])
+np.savetxt(recording, table, fmt="%.6g", delimiter=",", header=",".join(names), comments="")
+command = [sys.executable, "-m", "instobj", "predict", "--zero", "first:16"]
+subprocess.run([*command, contacts_file, recording], check=True, stdout=subprocess.DEVNULL)
+rows = np.genfromtxt(recording.with_suffix(".contacts.csv"), delimiter=",", names=True)
+bench_n = np.bincount(rows["frame"].astype(int), np.nan_to_num(rows["force_n"]), len(frames))
+
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.5), layout="constrained")
+mean_n = [judged_n.mean(axis=0), fixed_n, needed_n]
+left.plot(needed_n, np.transpose(mean_n), label=["by what is felt", "fixed", "needed"])
+forces_n = [bench_n, read_n.repeat(HELD), squeeze_n.repeat(HELD)]
+right.plot(time_s, np.transpose(forces_n), label=["instobj predict", "read in the loop", "true"])
+left.set(xlabel="force that friction needs, N", ylabel="squeeze, N")
+right.set(xlabel="time of a closing, s", ylabel="force, N")
+left.legend()
+right.legend()
 plt.show()

@@ -22,6 +22,13 @@ class Columns:
         """The given rows, in order."""
         return type(self)(*(rows_of(column, rows) for column in self._columns()))
 
+    def replaced(self: Kind, rows: Int[Array, "some"], others: Kind) -> Kind:
+        """The same with some rows replaced."""
+        columns = [column + 0 for column in self._columns()]
+        for column, replacement in zip(columns, others._columns(), strict=True):
+            column[rows] = replacement
+        return type(self)(*columns)
+
     @classmethod
     def joined(cls: type[Kind], parts: Sequence[Kind]) -> Kind:
         """Parts one after the other."""

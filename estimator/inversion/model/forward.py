@@ -157,7 +157,20 @@ class ContactModel:
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem contact 4 channel"]:
         """Counts of each contact alone and their derivatives by x, y and force; 0 where empty."""
-        return self._fill_slots(face, contact, self.signals.values)
+        if not isinstance(contact, np.ndarray):
+            return self._fill_slots(face, contact, self.signals.values)
+        # What a fit ends at is asked for again by its uncertainty, and by the next frame's fit.
+        if not (self._latest and all(map(np.array_equal, self._latest, (face, contact)))):
+            counts = self._fill_slots(face, contact, self.signals.values)
+            counts.flags.writeable = False
+            # copies: callers may write into their arrays
+            self._latest[:] = face.copy(), contact.copy(), counts
+        return self._latest[2]
+
+    @cached_property
+    def _latest(self) -> list[np.ndarray]:
+        """Face, contact and counts of the latest call of `singles`."""
+        return []
 
     def pulls(
         self,
@@ -179,7 +192,7 @@ class ContactModel:
 
     def _fill_slots(
         self, face: Array, contact: Array, values: Callable[[Array, Array], Array]
-    ) -> Float[Array, "problem contact _ channel"]:
+    ) -> Float[Array, "problem contact *values"]:
         """Return what the filled slots give, at their place among the empty ones."""
         filled = face != NONE
         if filled.all():
@@ -201,19 +214,19 @@ class ContactModel:
     ) -> Float[Array, "problem channel"]:
         """Return what contacts together give beyond the sum of each alone, counts."""
         filled: Bool[Array, "problem contact"] = face != NONE
-        extra = zeros(contact, (len(face), self.channels))
-        several = true_rows(filled.sum(axis=1) > 1)
-        if not len(several):
+        several = filled.sum(axis=1) > 1
+        if not len(face) or not several.all():
+            extra = zeros(contact, (len(face), self.channels))
+            rows = true_rows(several)
+            if len(rows):
+                extra[rows] = self.interaction(face[rows], contact[rows])
             return extra
-        filled, face, contact = filled[several], face[several], contact[several]
-        single = zeros(contact, (*face.shape, *self.rest.shape))
-        moved = float64(self.motions.values(face[filled], contact[filled])[:, 0])
-        single[filled] = moved.reshape(-1, *self.rest.shape)
+        shape = (*face.shape, len(self.rest), 6)
+        single = float64(self._fill_slots(face, contact, self.motions.expected)).reshape(shape)
         change = self.counts_of_motions(concatenated([single[filled], single.sum(axis=1)]))
         alone = zeros(contact, (*face.shape, self.channels))
-        alone[filled] = change[: len(moved)]
-        extra[several] = change[len(moved) :] - alone.sum(axis=1)
-        return extra
+        alone[filled] = change[: -len(face)]
+        return change[-len(face) :] - alone.sum(axis=1)
 
     def counts_of_motions(
         self, moved: Float[Array, "state body 6"]

@@ -58,9 +58,9 @@ class Whitening(Columns):
 
 
 def whitening(
-    sigma: Float[Array, "frame channel"], columns: Float[Array, "channel k"]
+    sigma: Float[Array, "frame channel"], columns: Float[Array, "*frame channel k"]
 ) -> Whitening:
-    """Return the whitening of frames with independent deviations and nuisances common to all."""
+    """Return the whitening of frames with independent deviations and nuisances, common to all or of each."""
     xp, scaled = library(sigma), columns / sigma[..., None]
     square, turn = xp.linalg.eigh(scaled.swapaxes(1, 2) @ scaled)
     # √g u = D⁻¹A v √g / s, and g / s² = 1 / (r (r + 1)) with r = √(1 + s²): no division by s = 0

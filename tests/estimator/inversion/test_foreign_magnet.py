@@ -10,9 +10,17 @@ from scipy.stats import multivariate_normal
 from estimator.inversion.lying import log_evidence_without
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
+from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import empty
 from estimator.inversion.tracking import Tracker
-from tests.support.mechanics.inverted import SPEC, contacts, inverted, motion_of, right
+from tests.support.mechanics.inverted import (
+    SPEC,
+    contacts,
+    inverted,
+    motion_of,
+    noisy_counts,
+    right,
+)
 from tests.support.turned_frames import foreign_magnets_t, zeroed_counts
 
 FRAMES = 30
@@ -134,3 +142,22 @@ def test_evidence_of_a_chip_that_lies_is_that_of_the_other_channels():
         whole = multivariate_normal(cov=covariance[row]).logpdf(counts[row])
         expected = others - 3 * np.log(2 * 32767) - whole
         assert evidence[row] - plain[row] == pytest.approx(expected, abs=0.05)
+
+
+def test_fewer_readings_than_a_magnet_has_unknowns_tell_nothing_of_one():
+    """Nine readings of one face: without this half of two contacts there would be taken for a magnet."""
+    rng, face, contact = (
+        np.random.default_rng(0),
+        np.full((FRAMES, 6), NONE),
+        np.zeros((FRAMES, 6, 3)),
+    )
+    face[:, :2] = 0
+    contact[:, :2, 0] = rng.uniform([-10, 3], [-3, 10], (FRAMES, 2))
+    contact[:, :2, 1] = rng.uniform(-8, 8, (FRAMES, 2))
+    contact[:, :2, 2] = rng.uniform(3, 7, (FRAMES, 2))
+    counts = noisy_counts(inverted(), face, contact, rng, turned=False)
+    counts[:, 9:] = np.nan
+    frames, search = inverted().disturbances.observed(counts), inverted().search
+    fit = most_probable(search.model, search.priors, frames, np.arange(FRAMES), face, contact)
+    beside = BesideMagnet(frames, inverted().magnet_columns)
+    assert not beside.explains_with_fewer(search, search.judged(fit)).any()

@@ -58,7 +58,8 @@ def magnet_counts(distance_mm, frames, rng):
     changes = []
     for place, axis in rng.standard_normal((frames, 2, 3)):
         position = tuple((distance_mm * place / np.linalg.norm(place)).tolist())
-        magnet = {"position_mm": position, "axis": tuple(axis.tolist())}
+        remanence_t = tuple((1.3 * axis / np.linalg.norm(axis)).tolist())
+        magnet = {"position_mm": position, "remanence_t": remanence_t}
         around = SPEC.environment.changed(magnets=[magnet])
         changes.append(rest_counts(SPEC.changed(environment=around)).ravel() - RESTING)
     return np.array(changes)
