@@ -34,7 +34,9 @@ class CollectionSpec(SpecPart):
     squeezed periodically to `grasp_force_n`, at ten poses or, of each number of tips, at
     `random_grasps` poses drawn by `seed`. "handling": as "grasp", each pose taken once in
     `frames_per_case` frames: free, closed on, held with a shake, released; peaks spread between 80 and
-    100 % of `grasp_force_n`, as a gripper repeats. "continuous": `presses` short presses of `contacts`
+    100 % of `grasp_force_n`, as a gripper repeats. Instead of two jaws, `grasp_faces` = [3, 5, 5] are
+    a thumb and two fingers, and a single face is a pad that holds from one side, as a suction cup does.
+    "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.
     """
@@ -47,7 +49,7 @@ class CollectionSpec(SpecPart):
         _ROWS + _COLUMNS,
         _TRIANGLES + tuple((-x, -y, 180.0) for x, y, _ in _TRIANGLES),
     )
-    grasp_faces: tuple[SensedFace, SensedFace] = (3, 5)
+    grasp_faces: Annotated[tuple[SensedFace, ...], Field(min_length=1, max_length=3)] = (3, 5)
     grasp_force_n: Force = 17.0
     random_grasps: Annotated[int, Field(ge=0, le=100_000)] = 0
     presses: Annotated[int, Field(ge=1, le=1_000_000_000)] = 2000
@@ -56,11 +58,24 @@ class CollectionSpec(SpecPart):
 
     @model_validator(mode="after")
     def _faces_differ(self) -> CollectionSpec:
-        for name, faces in (("faces", self.faces), ("grasp_faces", self.grasp_faces)):
+        # two fingers share a face against the thumb's
+        jaws = self.grasp_faces[:2] if self.grasp_faces[1:2] == self.grasp_faces[2:] else ()
+        for name, faces in (("faces", self.faces), ("grasp_faces", jaws or self.grasp_faces)):
             if len(set(faces)) != len(faces):
                 raise ValueError(
                     f"collection.{name} names a face twice; got {list(faces)}. Name each once"
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _fingers_share_a_face(self) -> CollectionSpec:
+        thumb, *fingers = self.grasp_faces
+        if len(set(fingers)) > 1:
+            raise ValueError(
+                f"collection.grasp_faces = {list(self.grasp_faces)} has fingers on different faces. Give "
+                f"two jaws, such as [3, 5], or two fingers on one face, such as [{thumb}, {fingers[0]}, "
+                f"{fingers[0]}]"
+            )
         return self
 
     @model_validator(mode="after")

@@ -105,7 +105,8 @@ def handling_recipe(
     swing = np.clip((share - shake) / (still - shake), 0.0, 1.0)
     turns += _SHAKE * np.sin(2 * np.pi * _SHAKES * swing)
     turns = np.where(share < free, turns, 0.0)
-    peak = traces.travel_mm[:, -1] * rng.uniform(_LEAST_TRAVEL, 1.0, len(cases))
+    peak = peak_travel_mm(spec, signals, cases, traces)
+    peak = peak * rng.uniform(_LEAST_TRAVEL, 1.0, len(cases))
     touched = (share > close) & (share < free)
     return Recipe(cases, traces, None, peak, np.tile(turns, (total, 1)), touched)
 
@@ -117,6 +118,9 @@ def peak_travel_mm(
     deepest = traces.travel_mm[:, -1]
     if cases[0].squeezed:
         return deepest
+    if spec.collection.kind != "paper":  # a pad presses from one side, with the grasps' force
+        force = np.full((len(cases), 1), spec.collection.grasp_force_n)
+        return travel_at_force(traces, force)[:, 0]
     return np.minimum(nominal_peaks(spec, signals).common_travel_mm, deepest)
 
 

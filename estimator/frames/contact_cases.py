@@ -7,7 +7,7 @@ faces, or nothing. Probes are those of Knopke et al. (RA-L 2024).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations
 
@@ -31,6 +31,11 @@ GRASP_POSES: tuple[tuple[ProbePose, ...], ...] = (
     ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0)),
 )
 """Places of the paper's grasps, known in words only: evenly over both faces."""
+_FINGER_POSES: tuple[ProbePose, ...] = (
+    *((0.0, y, 0.0) for y in (-6.0, 0.0, 6.0)),
+    *((x, 0.0, 90.0) for x in (-6.0, 6.0)),
+)
+"""Middles and turns of two fingers against a thumb: as far apart as the paper's probe of two tips."""
 
 _BORDER_MM = 0.01
 """Length by which a tip may reach off a flat face."""
@@ -124,7 +129,8 @@ def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
 
 def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
     """Five places of one tip, three of two and two of three, each opposite its like; or
-    `collection.random_grasps` of each, anywhere within the contact grid and turned at random.
+    `collection.random_grasps` of each, anywhere within the contact grid and turned at random. Of a thumb and
+    two fingers as many places of these.
 
     Raises
     ------
@@ -132,10 +138,17 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
         `collection.grasp_faces` are not opposite each other, or no room for a probe.
     """
     wanted, rng = spec.collection.random_grasps, np.random.default_rng((spec.seed, 6))
+    if wanted and len(spec.collection.grasp_faces) == 3:
+        raise InputError(
+            f"collection.random_grasps = {wanted} draws places of jaws; a thumb and two fingers have places "
+            "of their own. Set it to 0"
+        )
     if wanted:
         return opposed(
             spec, [_random_tips_mm(spec, rng, tips) for tips in (1, 2, 3) for _ in range(wanted)]
         )
+    if len(spec.collection.grasp_faces) == 3:
+        return opposed(spec, [np.array([pose[:2]]) for pose in _FINGER_POSES])
     places = [
         probe_tips_mm(spec, tips, pose)
         for tips, poses in enumerate(GRASP_POSES, start=1)
@@ -162,14 +175,18 @@ def _random_tips_mm(
 
 def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> list[ContactCase]:
     """Grasps with tips at these places of the first of `collection.grasp_faces`, each opposite its
-    like; raises as `grasp_cases`."""
-    first, second = spec.collection.grasp_faces
+    like, or opposite two fingers, or alone; raises as `grasp_cases`."""
+    first, *fingers = spec.collection.grasp_faces
+    second = fingers[0] if fingers else first
     frames = {frame.number: frame for frame in face_frames(spec)}
     if not {first, second} <= set(frames):
         raise InputError(
-            f"collection.grasp_faces = [{first}, {second}] are not both sensed; sensed are "
+            f"collection.grasp_faces = {list(spec.collection.grasp_faces)} are not both sensed; sensed are "
             f"{list(spec.body.sensed)}. Name two opposite ones of these"
         )
+    if not fingers:
+        pads = [_probe(first, tips_mm, GRASP_CASES + 1000 * first) for tips_mm in places_mm]
+        return [replace(pad, place_id=pad.place_id + number) for number, pad in enumerate(pads)]
     if frames[first].normal @ frames[second].normal > -0.5:
         raise InputError(
             f"faces {first} and {second} are not opposite each other: jaws cannot squeeze them. Set "
@@ -181,10 +198,14 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
         touched = frames[first].to_plane(tips_mm)
         through = frames[first].to_object(np.column_stack([touched, np.zeros(tips)]))
         opposite_mm = frames[second].from_plane(frames[second].plane_coordinates(through)[:, :2])
-        cell = np.repeat([0, 1], tips)
+        if len(fingers) == 2:
+            turn = _FINGER_POSES[len(cases) % len(_FINGER_POSES)][2]
+            opposite_mm = probe_tips_mm(spec, 2, (*opposite_mm[0].tolist(), turn))
+        jaws = [tips, len(opposite_mm)]
+        cell = np.repeat([0, 1], jaws)
         number = GRASP_CASES + 1000 * first + len(cases)
-        face, xy = np.repeat([first, second], tips), np.vstack([tips_mm, opposite_mm])
-        cases.append(ContactCase(face, xy, cell, np.ones(2 * tips), number, squeezed=True))
+        face, xy = np.repeat([first, second], jaws), np.vstack([tips_mm, opposite_mm])
+        cases.append(ContactCase(face, xy, cell, np.ones(sum(jaws)), number, squeezed=True))
     return cases
 
 

@@ -19,8 +19,8 @@ def net_wrench(
     """Force (N) and moment (N mm) about the object's origin, and their covariance.
 
     A tangential force that was not read may lie anywhere within the friction disc μF: mean 0 and
-    variance (μF)²/4 along each of two axes, as of a uniform disc. Errors of contacts count as
-    independent; the covariance is of first order in the errors of places.
+    variance (μF)²/4 along each of two axes, as of a uniform disc. Errors of contacts are independent but
+    for their common factor; the covariance is of first order in the errors of places.
     """
     wrench, covariance = np.zeros(6), np.zeros((6, 6))
     for point, axes, force, errors in zip(
@@ -37,6 +37,8 @@ def net_wrench(
         lever = np.cross(point, axes.T).T
         slope = np.block([[np.zeros((3, 2)), axes], [moved, lever]])
         covariance += slope @ spread @ slope.T
+    # a common factor scales the whole wrench: w → (1 + s) w
+    covariance += contacts.scale_error**2 * np.outer(wrench, wrench)
     return wrench, covariance
 
 

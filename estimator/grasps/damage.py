@@ -115,16 +115,15 @@ class DamageLimit:
 
 def damage_probability(
     limit: DamageLimit, force_n: Float[np.ndarray, "draw contact"], tip_radius_mm: float
-) -> tuple[float, Float[np.ndarray, "contact"]]:
-    """Chance that a grasp damages the fruit, and that each contact does.
+) -> tuple[Float[np.ndarray, "draw"], Float[np.ndarray, "contact"]]:
+    """Chance that a grasp damages the fruit in each draw of the forces that the estimator allows, and the
+    mean chance that each contact does.
 
-    One fruit has one limit, so that its worst contact decides, not the product over contacts. Means
-    over the draws of the forces that the estimator allows.
+    One fruit has one limit, so that its worst contact decides, not the product over contacts.
     """
     load = limit.load(force_n, tip_radius_mm)
-    each = limit.probability(load)
     whole = limit.probability(load.max(axis=1, initial=0.0))
-    return float(whole.mean()), each.mean(axis=0)
+    return whole, limit.probability(load).mean(axis=0)
 
 
 def read_limits(given: str) -> list[DamageLimit]:

@@ -7,16 +7,24 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from estimator.grasps.track import fresh_variance
+
 _RATE_FRAMES = 3
 """Frames over which a slope is taken: two would show noise."""
 _REFERENCE_FRAMES = 3
 """Frames whose median is where a contact began and ended."""
-_SLIP_SIGMAS = 5.0
-"""Scatters by which a contact must have moved to count as slipped."""
 LEAST_SLIP_MM = 0.3
 """Least distance that counts as slip: below, estimators drift."""
-_NORMAL_MAD = 1.4826
-"""Standard deviation over median absolute deviation of a normal error."""
+_SURE = 25.0
+"""Misfit, in variances of a frame, that a slip must take away: its way is five deviations of its own."""
+_BEGINS, _LASTS, _FINE = 200, 28, 8
+"""Beginnings and durations of slips that are tried, and beginnings a frame about the best."""
+_SHORTEST = 1 / 16
+"""Frames that a slip lasts at least: a jump, wherever between two frames."""
+_STRAIGHT_MM = 0.05
+"""Least deviation of a frame from a straight slip: estimators read places along a slip no better."""
+_AGREE, _WIDEST = 2.0, 25
+"""Deviations by which means over narrower and wider windows may differ, and half of the widest window."""
 
 
 def loading_rate_n_per_s(
@@ -52,6 +60,33 @@ def unsteadiness(force_n: Float[np.ndarray, "frame"]) -> float:
     return float(np.std(force_n) / np.mean(force_n))
 
 
+def peak_frames(force_n: Float[np.ndarray, "frame"], hold: slice) -> slice:
+    """Frames over which a force is at its peak: the window with the largest mean, or the hold where that
+    is larger.
+
+    The largest of many noisy readings is too large, so that each frame stands for the widest window about
+    it whose mean agrees with those of all narrower ones (intersecting intervals; Goldenshluger & Nemirovski,
+    Math. Methods Statist. 6, 1997). What rises above the noise keeps a window of its own.
+    """
+    count, sigma = len(force_n), float(np.sqrt(fresh_variance(force_n)))
+    total = np.concatenate([[0.0], np.cumsum(force_n)])
+    low, high = np.full(count, -np.inf), np.full(count, np.inf)
+    mean, half = force_n.copy(), np.zeros(count, int)
+    agrees = np.ones(count, bool)
+    for reach in range(min(_WIDEST, (count - 1) // 2) + 1):
+        middle, width = np.arange(reach, count - reach), 2 * reach + 1
+        wide = np.full(count, np.nan)
+        wide[middle] = (total[middle + reach + 1] - total[middle - reach]) / width
+        error = _AGREE * sigma / np.sqrt(width)
+        low, high = np.fmax(low, wide - error), np.fmin(high, wide + error)
+        agrees &= np.isfinite(wide) & (low <= high)
+        mean, half = np.where(agrees, wide, mean), np.where(agrees, reach, half)
+    peak = int(np.argmax(mean))
+    if force_n[hold].mean() >= mean[peak]:
+        return hold
+    return slice(peak - int(half[peak]), peak + int(half[peak]) + 1)
+
+
 @dataclass(frozen=True)
 class Slip:
     """Motion of a contact along the surface while it is held.
@@ -73,23 +108,62 @@ def contact_slip(
 ) -> Slip:
     """Onset and distance of slip of a face's centre of force.
 
-    The onset is the first frame from which on the centre stays further from its beginning than
-    `LEAST_SLIP_MM` and five scatters. The scatter is a robust one of successive differences, so
-    that a slow slip does not widen it. Give NaN for frames in which
-    another contact takes part: it moves the centre as well.
+    The straight slip between two rests that fits best is held against no slip at all, by least squares. It
+    counts where it is longer than `LEAST_SLIP_MM`, explains far more than noise would, and the centre does
+    not come back. Noise is a robust scatter of successive differences, which a slow slip does not
+    widen. Give NaN for frames in which another contact takes part: it moves the centre as well.
     """
     present = np.isfinite(centre_mm).all(axis=1)
     time_s, centre_mm = time_s[present], centre_mm[present]
     if len(centre_mm) < 2 * _REFERENCE_FRAMES:
         return Slip(float("nan"), float("nan"))
-    begin = np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)
-    away = np.linalg.norm(centre_mm - begin, axis=1)
-    steps = np.diff(centre_mm, axis=0)
-    # differences of two frames scatter √2 times as much as one
-    scatter = _NORMAL_MAD * float(np.median(abs(steps - np.median(steps, axis=0)))) / np.sqrt(2)
-    moved = away > max(LEAST_SLIP_MM, _SLIP_SIGMAS * scatter)
-    distance = float(np.linalg.norm(np.median(centre_mm[-_REFERENCE_FRAMES:], axis=0) - begin))
-    still = np.flatnonzero(~moved)
-    onset = 0 if not len(still) else int(still[-1]) + 1
-    slipped = len(moved) - onset >= _REFERENCE_FRAMES
-    return Slip(float(time_s[onset]) if slipped else float("nan"), distance)
+    variance = max(float(fresh_variance(centre_mm).mean()), _STRAIGHT_MM**2)
+    onset_s, gain, way = _best_slip(time_s, centre_mm, variance)
+    distance = float(np.linalg.norm(way))
+    moved = (centre_mm - np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)) @ way
+    stays = np.median(moved[-_REFERENCE_FRAMES:]) > distance**2 / 2
+    slipped = distance > LEAST_SLIP_MM and gain > _SURE * variance and bool(stays)
+    return Slip(onset_s if slipped else float("nan"), distance)
+
+
+def _best_slip(
+    time_s: Float[np.ndarray, "frame"], centre_mm: Float[np.ndarray, "frame 2"], variance: float
+) -> tuple[float, float, Float[np.ndarray, "2"]]:
+    """Onset, misfit taken away (mm²) and way of the best straight slip.
+
+    The onset is the mean of the beginnings, each weighed by the likelihood of its best duration. A jump
+    between two frames began in their middle, give or take half a frame.
+    """
+    last = len(time_s) - 1
+    lasts = np.geomspace(_SHORTEST, max(last, 1.0), _LASTS)
+    begins = np.linspace(0, last, min(last + 1, _BEGINS))
+    gain, _ = _gains(time_s, centre_mm, begins, lasts)
+    best = float(begins[np.argmax(gain.max(axis=1))])
+    # middles of eighths of frames, so that their mean is the middle of a frame
+    width = _FINE * (2 + max(1.0, last / _BEGINS))
+    fine = best + (np.arange(-width, width) + 0.5) / _FINE
+    fine = fine[(fine > -1) & (fine < last)]
+    gain, ways = _gains(time_s, centre_mm, fine, lasts)
+    highest = gain.max(axis=1)
+    weight = np.exp((highest - highest.max()) / (2 * variance))
+    onset = float(weight @ fine / weight.sum())
+    begin, end = np.unravel_index(int(np.argmax(gain)), gain.shape)
+    return float(np.interp(onset, np.arange(last + 1), time_s)), float(gain.max()), ways[begin, end]
+
+
+def _gains(
+    time_s: Float[np.ndarray, "frame"],
+    centre_mm: Float[np.ndarray, "frame 2"],
+    begins: Float[np.ndarray, "begin"],
+    lasts: Float[np.ndarray, "last"],
+) -> tuple[Float[np.ndarray, "begin last"], Float[np.ndarray, "begin last 2"]]:
+    """Misfit that slips of many beginnings and durations (in frames) take away, and their ways."""
+    frame = np.arange(len(time_s))
+    share = np.clip((frame - begins[:, None, None]) / lasts[:, None], 0.0, 1.0)
+    # a slip that goes on has come so far in the middle of the last frames
+    reached = share[..., -1 - _REFERENCE_FRAMES // 2, None].copy()
+    share -= share.mean(axis=2, keepdims=True)
+    spread = np.maximum(np.sum(share**2, axis=2), 1e-9)
+    # least squares of the centre on the share: b begin, l duration, f frame, k direction
+    moment = np.einsum("blf,fk->blk", share, centre_mm)
+    return np.sum(moment**2, axis=2) / spread, reached * moment / spread[..., None]

@@ -27,7 +27,7 @@ class Measure:
 
 
 _ROWS: tuple[tuple[str, ...], ...] = (
-    ("peak_n", "peak force", "N", "largest sum of all normal forces; noise raises it", OWN, _LESS),
+    ("peak_n", "peak force", "N", "largest sum of all normal forces, averaged where steady", OWN, _LESS),
     ("mean_n", "mean force held", "N", "mean sum of the normal forces in the hold", OWN, _LESS),
     ("finger_n", "finger strength", "N", "largest force on one face", f"{_SP1227}; {_RAM}", _MORE),
     ("grasp_n", "grasp strength", "N", "largest force through the object: mean of both sides' forces along "

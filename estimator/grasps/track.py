@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -14,6 +14,8 @@ from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.inversion.readings import ContactSets
 from estimator.networks.prediction import Prediction
 
+NORMAL_MAD = 1.4826
+"""Standard deviation over median absolute deviation of a normal error."""
 _PRESSED = 0.5
 """Probability of a contact above which a network's frame counts as pressed."""
 
@@ -31,6 +33,7 @@ class ContactTrack:
         where the estimator takes contacts for frictionless
     covariance : (frame, contact, 5, 5) of x, y (mm) and the three forces (N); 0 where nothing is read
     explained : (frame,) frames that the estimator trusts
+    scale_error : standard deviation of a factor that all forces have in common (of the modulus), relative
     """
 
     time_s: Float[np.ndarray, "frame"]
@@ -39,6 +42,7 @@ class ContactTrack:
     force_n: Float[np.ndarray, "frame contact 3"]
     covariance: Float[np.ndarray, "frame contact 5 5"]
     explained: Bool[np.ndarray, "frame"]
+    scale_error: float = 0.0
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -47,7 +51,31 @@ class ContactTrack:
         self, frames: slice | Int[np.ndarray, "some"] | Bool[np.ndarray, "frame"]
     ) -> ContactTrack:
         """The given frames, in order."""
-        return ContactTrack(*(getattr(self, field.name)[frames] for field in fields(self)))
+        names = ("time_s", "face", "xy_mm", "force_n", "covariance", "explained")
+        return replace(self, **{name: getattr(self, name)[frames] for name in names})
+
+    def averaged(self, frames: Int[np.ndarray, "some"]) -> ContactTrack:
+        """Mean of frames with the same contacts, as one frame.
+
+        Of the variances of a frame, what is new in each of n frames falls to 1/n: that share is seen in
+        successive differences. The rest lasts.
+        """
+        values = np.concatenate([self.xy_mm, self.force_n], axis=2)[frames]
+        covariance = self.covariance[frames].mean(axis=0)
+        variance = np.diagonal(covariance, axis1=1, axis2=2)
+        fresh, count = np.nan_to_num(fresh_variance(values)), len(frames)
+        lasting = np.maximum(variance - (1 - 1 / count) * fresh, fresh / count)
+        lasting = np.minimum(lasting, variance)
+        # correlations between coordinates stay, only their deviations shrink
+        ratio = np.sqrt(
+            np.divide(lasting, variance, out=np.ones_like(variance), where=variance > 0)
+        )
+        covariance = covariance * ratio[:, :, None] * ratio[:, None, :]
+        mean = values.mean(axis=0)[None]
+        return ContactTrack(
+            self.time_s[frames].mean(keepdims=True), self.face[frames[:1]], mean[..., :2], mean[..., 2:],
+            covariance[None], np.array([self.explained[frames].all()]), self.scale_error,
+        )  # fmt: skip
 
     @property
     def has_tangential(self) -> bool:
@@ -66,16 +94,19 @@ class ContactTrack:
 
     @property
     def total_sigma_n(self) -> Float[np.ndarray, "frame"]:
-        """Standard deviation of `total_n`; errors of contacts count as independent."""
-        return np.sqrt(self.covariance[..., 4, 4].sum(axis=1))
+        """Standard deviation of `total_n`; errors of contacts are independent but for the common factor."""
+        return np.hypot(
+            np.sqrt(self.covariance[..., 4, 4].sum(axis=1)), self.scale_error * self.total_n
+        )
 
     def face_force_n(self, face: int) -> Float[np.ndarray, "frame"]:
         """Sum of the normal forces on a face."""
         return np.where(self.face == face, self.normal_n, 0.0).sum(axis=1)
 
     def face_sigma_n(self, face: int) -> Float[np.ndarray, "frame"]:
-        """Standard deviation of `face_force_n`; errors of contacts count as independent."""
-        return np.sqrt(np.where(self.face == face, self.covariance[..., 4, 4], 0.0).sum(axis=1))
+        """Standard deviation of `face_force_n`, as that of `total_n`."""
+        independent = np.where(self.face == face, self.covariance[..., 4, 4], 0.0).sum(axis=1)
+        return np.hypot(np.sqrt(independent), self.scale_error * self.face_force_n(face))
 
     def face_centre_mm(self, face: int) -> Float[np.ndarray, "frame 2"]:
         """Centre of the normal forces on a face; NaN in frames without a contact there."""
@@ -85,16 +116,35 @@ class ContactTrack:
         return np.divide(moment, total, out=np.full(moment.shape, np.nan), where=total > 0)
 
 
-def track_of_sets(time_s: Float[np.ndarray, "frame"], sets: ContactSets) -> ContactTrack:
-    """Contacts that an inversion found."""
+def fresh_variance(values: Float[np.ndarray, "frame *any"]) -> Float[np.ndarray, "*any"]:
+    """Variance of what is new in every frame, by the median of successive differences; 0 of fewer than three
+    frames."""
+    if len(values) < 3:
+        return np.zeros(values.shape[1:])
+    steps = np.diff(values, axis=0)
+    # a difference of two frames varies twice as much as one of them
+    scatter = NORMAL_MAD * np.median(abs(steps - np.median(steps, axis=0)), axis=0)
+    # of one column NumPy gives a scalar, which callers would not take for an array
+    return np.asarray(scatter**2 / 2)
+
+
+def track_of_sets(
+    time_s: Float[np.ndarray, "frame"], sets: ContactSets, force_error: float
+) -> ContactTrack:
+    """Contacts that an inversion found, whose forces are uncertain by a common `force_error` (relative)."""
     covariance = np.zeros((*sets.face.shape, 5, 5))
     # ContactSets orders x, y, normal force; tangential forces are independent of these
     rows = np.array([0, 1, 4])
     covariance[..., rows[:, None], rows] = np.nan_to_num(sets.covariance)
     for axis in (0, 1):
         covariance[..., 2 + axis, 2 + axis] = np.nan_to_num(sets.tangential_sigma_n[..., axis]) ** 2
+    # the sets count the common error with each contact's own
+    common = (force_error * np.nan_to_num(sets.force_n)) ** 2
+    covariance[..., 4, 4] = np.maximum(covariance[..., 4, 4] - common, 0.0)
     force = np.concatenate([sets.tangential_n, sets.force_n[..., None]], axis=2)
-    return ContactTrack(time_s, sets.face, sets.xy_mm, force, covariance, sets.explained)
+    return ContactTrack(
+        time_s, sets.face, sets.xy_mm, force, covariance, sets.explained, force_error
+    )
 
 
 def track_of_networks(
@@ -156,6 +206,7 @@ class Placed:
     axes : (contact, 3, 3) columns x, y and the inward normal
     force_n : (contact, 3) along these; NaN where not read
     covariance : (contact, 5, 5) as in `ContactTrack`
+    scale_error : as there
     """
 
     face: Int[np.ndarray, "contact"]
@@ -163,6 +214,7 @@ class Placed:
     axes: Float[np.ndarray, "contact 3 3"]
     force_n: Float[np.ndarray, "contact 3"]
     covariance: Float[np.ndarray, "contact 5 5"]
+    scale_error: float = 0.0
 
     def __len__(self) -> int:
         return len(self.face)
@@ -172,19 +224,21 @@ class Placed:
         """Inward normals: directions in which contacts push the object."""
         return self.axes[..., 2]
 
-    def drawn(self, normals: Float[np.ndarray, "contact 5"]) -> Placed:
-        """Another of the contacts that the covariance allows, from standard normal numbers.
+    def drawn(self, normals: Float[np.ndarray, "contact 5"], common: float) -> Placed:
+        """Another of the contacts that the covariance and the common factor allow, from standard normal
+        numbers; zeros give the contacts themselves.
 
         Points move in the tangent plane, so that normals stay: exact on flat faces.
         """
         # the symmetric root also exists where rows are 0, which Cholesky's does not
         value, vector = np.linalg.eigh(self.covariance)
         root = vector * np.sqrt(value.clip(0.0))[..., None, :]
+        # contact c, of i and j of its five coordinates
         error = np.einsum("cij,cj->ci", root, normals)
         point = self.point_mm + np.einsum("cij,cj->ci", self.axes[..., :2], error[:, :2])
-        force = self.force_n + error[:, 2:]
+        force = (self.force_n + error[:, 2:]) * (1 + self.scale_error * common)
         force[:, 2] = force[:, 2].clip(0.0)
-        return Placed(self.face, point, self.axes, force, self.covariance)
+        return replace(self, point_mm=point, force_n=force)
 
 
 def placed_contacts(track: ContactTrack, frame: int, faces: Mapping[int, FaceFrame]) -> Placed:
@@ -203,4 +257,5 @@ def placed_contacts(track: ContactTrack, frame: int, faces: Mapping[int, FaceFra
         axes,
         track.force_n[frame, slots],
         track.covariance[frame, slots],
+        track.scale_error,
     )

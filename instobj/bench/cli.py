@@ -236,13 +236,15 @@ def material(
     source: Annotated[
         str,
         typer.Argument(
-            help="CSV of a tensile test, name of a silicone, or Shore hardness.", show_default=False
+            help="CSV of a tensile test, name of a silicone, Shore hardness, or a fruit to be like.",
+            show_default=False,
         ),
     ],
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
-    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test."""
+    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test; silicone and
+    thickness that give way as a fruit does."""
     from instobj.commands.material import describe_material
 
     show(describe_material(source, out), as_json)

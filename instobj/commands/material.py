@@ -1,4 +1,7 @@
-"""The modulus of a silicone from its name, a hardness or a tensile test, with the fits and a figure."""
+"""Modulus of a silicone, and silicones that give way as a fruit does.
+
+The modulus comes from a name, a hardness or a tensile test, with the fits and a figure.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.catalogue.fruits import FRUITS, Fruit
 from design.catalogue.silicones import (
     SILICONES,
     ModulusEstimate,
@@ -14,6 +18,8 @@ from design.catalogue.silicones import (
     modulus_from_shore,
 )
 from design.errors import InputError
+from estimator.grasps.damage import Sphere, indentation_mm
+from fem.contact.bonded_layer import layer_thickness_mm
 from instobj.figures.saving import save_figure
 from instobj.store.publish import file_rows, require_writable, run_folder
 
@@ -21,31 +27,80 @@ if TYPE_CHECKING:
     from design.catalogue.tensile import TensileFit
     from design.catalogue.tensile_files import TensileTest
 
+_TIP_MM, _FORCE_N = 5.0, 5.0
+"""Tip and force at which compliances are matched: the paper's probe, and the force of scores."""
+_LAYER_MM, _USUAL_MM = (4.0, 20.0), 8.0
+"""Thickness of shells that hold magnets and can be cast, and the paper's."""
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e")
 
 
 def describe_material(source: str, out: Path) -> dict[str, Any]:
-    """Modulus and spread of a preset's name, a hardness, or a CSV of a tensile test.
+    """Modulus and spread of a preset's name, a hardness, or a CSV of a tensile test; of a fruit's name the
+    layers of silicone that give way as it does.
 
     A test also gives the fitted solids, and a figure in `runs/material_<stem>/`.
 
     Raises
     ------
     InputError
-        None of the three, or data that cannot be fitted.
+        None of these, or data that cannot be fitted.
     """
     if source.lower().endswith(".csv"):
         return _describe_test(Path(source), out)
+    if source.lower() in FRUITS:
+        return _describe_fruit(FRUITS[source.lower()])
     named = {name.lower(): silicone for name, silicone in SILICONES.items()}
     silicone = named.get(source.lower())
     try:
         modulus = silicone.modulus if silicone else modulus_from_shore(source)
     except InputError:
         raise InputError(
-            f"{source!r} is no silicone in the catalogue ({', '.join(SILICONES)}), no hardness such "
-            "as A10 or 00-30, and no CSV file. Give one of the three"
+            f"{source!r} is no silicone in the catalogue ({', '.join(SILICONES)}), no fruit "
+            f"({', '.join(FRUITS)}), no hardness such as A10 or 00-30, and no CSV file. Give one of these"
         ) from None
     return _document(source, {"modulus": _modulus_row(modulus)}, [])
+
+
+def _describe_fruit(fruit: Fruit) -> dict[str, Any]:
+    """Silicones, and the thickness at which a bonded layer gives way to a tip as the fruit does by Hertz."""
+    tip = Sphere(
+        fruit.youngs_modulus_mpa, fruit.poisson_ratio, 1 / (1 / fruit.radius_mm + 1 / _TIP_MM)
+    )
+    depth_mm = float(indentation_mm(np.array([_FORCE_N]), tip)[0])
+
+    def thickness_mm(modulus_mpa: float) -> float:
+        return layer_thickness_mm(_FORCE_N, depth_mm, modulus_mpa, _TIP_MM)
+
+    # a stiffer silicone needs the thicker layer
+    rows = [
+        {
+            "silicone": name,
+            "thickness mm": thickness_mm(silicone.modulus.youngs_modulus_mpa),
+            "from": thickness_mm(silicone.modulus.low_mpa),
+            "to": thickness_mm(silicone.modulus.high_mpa),
+        }
+        for name, silicone in SILICONES.items()
+    ]
+    fitting = [row for row in rows if _LAYER_MM[0] <= row["thickness mm"] <= _LAYER_MM[1]]
+    best = min(fitting, key=lambda row: abs(np.log(row["thickness mm"] / _USUAL_MM)), default=None)
+    answer = (
+        f"no silicone of the catalogue, {_LAYER_MM[0]:g} to {_LAYER_MM[1]:g} mm thick, gives way"
+        if best is None
+        else f"{best['silicone']}, {best['thickness mm']:.2g} mm thick, gives way"
+    )
+    fruits = (
+        f"as {fruit.name} of {fruit.youngs_modulus_mpa:g} MPa does; fruits have {fruit.low_mpa:g} to "
+        f"{fruit.high_mpa:g} MPa"
+    )
+    transfer = (
+        f"Matched is the depth of a round tip of {_TIP_MM:g} mm under {_FORCE_N:g} N, {depth_mm:.2g} mm: "
+        "the fruit by Hertz as a soft sphere, the silicone as a layer on a rigid core. Skin, layers of the "
+        "fruit, flat tips and slow yielding are left out. The range of a thickness is that of the silicone's "
+        "modulus alone. A dash: no thickness does."
+    )
+    modulus = ModulusEstimate(fruit.youngs_modulus_mpa, fruit.low_mpa, fruit.high_mpa, fruit.source)
+    summary = {"modulus": _modulus_row(modulus), "layers of silicone": rows}
+    return {"texts": [f"{answer} {fruits}.", transfer]} | _document(fruit.name, summary, [])
 
 
 def _describe_test(path: Path, out: Path) -> dict[str, Any]:

@@ -171,3 +171,11 @@ def test_files_beside_the_scripts_are_used():
     beside = [path for path in GALLERY.rglob("*") if path.suffix in (".toml", ".csv")]
     assert beside
     assert not [path for path in beside if Path(path).name not in text]
+
+
+def test_the_soft_pad_is_ranked_gentler_by_what_the_object_felt(run_script):
+    found = run_script(10)
+    assert 0 < found["low"] < found["high"]
+    # the overshoot of the hard pad, which the frames do not name
+    expected = 4.0 * (found["GRIPPERS"]["hard pad"][1] - found["GRIPPERS"]["soft pad"][1])
+    assert found["low"] - 0.3 < expected < found["high"] + 0.3

@@ -32,7 +32,7 @@ from instobj.commands.assess.groups import (
     whole_document,
     write_csv,
 )
-from instobj.commands.assess.sentences import sentences, warnings_of
+from instobj.commands.assess.sentences import sentences, verdict_text, warnings_of
 from instobj.commands.assess.tracks import (
     ReadRecording,
     frame_documents,
@@ -49,6 +49,10 @@ from instobj.store.stage import write_json
 
 MOST_ROWS = 12
 """Rows of a table that a terminal shows."""
+_OWN_TRAINING = (
+    "the estimator was trained on this recording, so that its intervals and the frames that it explains say "
+    "nothing of others. Assess one that it has not seen."
+)
 
 
 @dataclass(frozen=True)
@@ -164,30 +168,31 @@ def _document(
 ) -> dict[str, Any]:
     limits = [f"damage_{limit.name}" for limit in conditions.limits]
     names = [*protocol.measures, *limits]
-    with_grasps = [group for group in groups if group.trusted]
-    paired = are_paired(with_grasps)
+    trusted = [group for group in groups if group.trusted]
+    paired = are_paired(trusted)
     differences = {
-        name: compare({group.name: group.values(name) for group in with_grasps}, paired)
+        name: compare({group.name: group.values(name) for group in trusted}, paired)
         for name in (protocol.headline, *limits)
     }
-    said = sentences(with_grasps, differences)
+    verdicts = [verdict_text(group, conditions) for group in groups]
+    tracks = [recording.read for group in groups for recording in group.recordings]
+    trained_on = [f"{read.path.name}: {_OWN_TRAINING}" for read in tracks if read.trained_on]
+    said = [*verdicts, *trained_on, *sentences(trusted, differences)]
     folder = (
         run_folder(options.out, "+".join(_file_name(group.name) for group in groups)) / "assess"
     )
     tables = {
-        "grasps": grasp_rows(groups, names),
-        "medians": median_rows(groups, names),
+        "grasps": grasp_rows(trusted, names),
+        "medians": median_rows(trusted, names),
         "ranking": [
             {"measure": axis_of(name)} | difference_row(pair)
             for name, pairs in differences.items()
             for pair in pairs
         ],
-        "faces and their load cells": cell_rows(groups),
-        "places most at risk": risk_rows(groups, limits),
+        "faces and their load cells": cell_rows(trusted),
+        "places most at risk": risk_rows(trusted, limits),
     }
-    faults = [
-        text for group in groups for recording in group.recordings for text in recording.read.faults
-    ]
+    faults = [text for read in tracks for text in read.faults]
     document = {
         "command": "assess",
         "protocol": options.protocol,
@@ -196,21 +201,21 @@ def _document(
         "friction": conditions.friction,
         "weight N": conditions.weight_n,
         "faults": faults,
-        "texts": [*said, *warnings_of(options, groups, conditions)],
+        "verdicts": verdicts,
+        "texts": [*said, *warnings_of(groups, conditions)],
         "tables": {title: rows for title, rows in tables.items() if rows},
     }
-    if len(with_grasps) > 1:
-        ranked = {group.name: group.values(protocol.headline) for group in with_grasps}
+    if len(trusted) > 1:
+        ranked = {group.name: group.values(protocol.headline) for group in trusted}
         document["exchanged"] = exchanged_share(ranked, paired)
-    figure = folder / "assess.png"
+    figure = folder / "assess.png" if trusted else None
     headline = protocol.headline
-    draw_grasps(
-        [_picture(group, headline) for group in groups if group.grasps], axis_of(headline), figure
-    )
+    if figure is not None:
+        draw_grasps([_picture(group, headline) for group in trusted], axis_of(headline), figure)
     whole = folder / "assess.json"
     write_json(whole_document(document, groups), whole)
     written = [
-        figure,
+        *filter(None, [figure]),
         write_csv(folder / "grasps.csv", full_rows(groups)),
         whole,
         write_page(

@@ -10,10 +10,11 @@ import numpy as np
 
 from design.tables import write_table
 from estimator.grasps.measures import MeasuredGrasp, Reading
+from estimator.grasps.phases import START_N
 from estimator.grasps.protocols import MEASURES, Measure
 from estimator.grasps.ranking import Difference, median_interval
 from estimator.grasps.track import track_of_labels
-from instobj.commands.assess.tracks import MOST_UNEXPLAINED, ReadRecording
+from instobj.commands.assess.tracks import MOST_UNEXPLAINED, ReadRecording, unexplained_share
 from instobj.report.cells import shown
 
 
@@ -40,9 +41,13 @@ class Group:
 
     @property
     def trusted(self) -> bool:
-        """Return whether it has grasps, most of whose frames the estimator explains."""
-        shares = self.values("unexplained")
-        return bool(len(shares)) and float(shares.mean()) <= MOST_UNEXPLAINED
+        """Return whether it has grasps, and the estimator explains most of the pressed frames."""
+        return bool(self.grasps) and self.unexplained <= MOST_UNEXPLAINED
+
+    @property
+    def unexplained(self) -> float:
+        """Share of the pressed frames that are not explained, of those outside the grasps as well."""
+        return unexplained_share([recording.read.track for recording in self.recordings])
 
     def rows(self) -> list[dict[str, Any]]:
         """Name of every grasp: group, recording and number."""
@@ -111,6 +116,20 @@ def compared_with_cells(read: ReadRecording, grasps: list[MeasuredGrasp]) -> lis
     return rows
 
 
+def missed_share(groups: list[Group]) -> float:
+    """Share of the frames in which load cells show a grasp's force, but which lie in no grasp; NaN without
+    such frames."""
+    pressed = missed = 0
+    for recording in (recording for group in groups for recording in group.recordings):
+        if recording.read.cells is not None:
+            felt = track_of_labels(recording.read.cells).total_n > START_N
+            pressed += int(felt.sum())
+            for grasp in recording.grasps:
+                felt[grasp.grasp.start : grasp.grasp.end] = False
+            missed += int(felt.sum())
+    return missed / pressed if pressed else float("nan")
+
+
 def cell_rows(groups: list[Group]) -> list[dict[str, Any]]:
     """Rows of `compared_with_cells` of all groups."""
     return [row for group in groups for recording in group.recordings for row in recording.cells]
@@ -149,7 +168,7 @@ def median_rows(groups: list[Group], names: list[str]) -> list[dict[str, Any]]:
             if group.grasps:
                 row[group.name] = with_ends(Reading(*median_interval(group.values(name))))
         rows.append(row)
-    return rows
+    return rows if groups else []
 
 
 def difference_row(difference: Difference) -> dict[str, Any]:
@@ -177,13 +196,18 @@ def risk_rows(groups: list[Group], limits: list[str]) -> list[dict[str, Any]]:
 
 
 def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
-    """Every measure of every grasp with its interval, a column each."""
+    """Every measure of every grasp with its interval, a column each; of groups that are not trusted when
+    each grasp was, and how little is explained."""
     rows = []
-    for row, grasp in named_grasps(groups):
-        row |= {"start_s": grasp.start_s, "end_s": grasp.end_s}
-        for name, reading in grasp.readings.items():
-            row |= {name: reading.value, f"{name}_low": reading.low, f"{name}_high": reading.high}
-        rows.append(row)
+    for group in groups:
+        for row, grasp in named_grasps([group]):
+            row |= {"start_s": grasp.start_s, "end_s": grasp.end_s}
+            for name, reading in grasp.readings.items():
+                if group.trusted or name == "unexplained":
+                    row |= {name: reading.value} | {
+                        f"{name}_{end}": getattr(reading, end) for end in ("low", "high")
+                    }
+            rows.append(row)
     return rows
 
 
@@ -197,6 +221,8 @@ def write_csv(path: Path, rows: list[dict[str, Any]]) -> Path:
 
 def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, Any]:
     """The document with all figures of all grasps; what is not known is null."""
+    trusted = [group for group in groups if group.trusted]
+    withheld = full_rows([group for group in groups if not group.trusted])
     grasps = [
         row
         | {
@@ -209,9 +235,9 @@ def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, A
             },
             "places": grasp.places,
         }
-        for row, (_, grasp) in zip(full_rows(groups), named_grasps(groups), strict=True)
+        for row, (_, grasp) in zip(full_rows(trusted), named_grasps(trusted), strict=True)
     ]
-    return json_value(document | {"grasps": grasps})
+    return json_value(document | {"grasps": [*grasps, *withheld]})
 
 
 def json_value(value: Any) -> Any:

@@ -2,16 +2,80 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from estimator.grasps.measures import Conditions
+from estimator.grasps.measures import Conditions, MeasuredGrasp
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
-from instobj.commands.assess.groups import Group, cell_rows, measure_of
+from estimator.grasps.verdict import Judged, Verdict, force_half_width, verdict_of
+from instobj.commands.assess.groups import Group, cell_rows, measure_of, missed_share, with_ends
 from instobj.commands.readings import DISTRUST_FROM
 from instobj.report.cells import shown
 
 _FEW = 6
 """Grasps below which an interval of their median is too narrow."""
+_REMEDY = {
+    "inversion": "Calibrate it on labelled presses of this object (`instobj train DATA --twin SPEC`), and "
+    "take magnets and steel away",
+    "networks": "Train it on presses with such contacts, or read with contacts.nc of the object's "
+    "specification (`instobj train SPEC`)",
+}
+"""Advice where an estimator, by its method, does not explain the frames."""
+
+
+def verdict_text(group: Group, conditions: Conditions) -> str:
+    """Return one plain sentence: good, not good, or cannot be said, and why."""
+    if not group.grasps:
+        return (
+            f"{group.name}: cannot be said, because no grasp was found. Begin recordings at rest, and check "
+            "that the estimator is of this object."
+        )
+    if not group.trusted:
+        share, method = group.unexplained, group.recordings[0].read.method
+        return (
+            f"{group.name}: cannot be said, because the estimator does not explain {100 * share:.0f} % of "
+            f"the pressed frames. Its figures are withheld. {_REMEDY[method]}."
+        )
+    grasps = [grasp for _, grasp in group.grasps]
+    verdict = verdict_of(grasps, conditions)
+    chosen = verdict.named({"good": True, "not good": False}.get(verdict.answer))
+    reasons = "; ".join(_reason(judged) for judged in chosen)
+    if not verdict.balanced:
+        reasons = _out_of_balance(grasps, verdict)
+    count = "one grasp" if len(grasps) == 1 else f"{len(grasps)} grasps, in the median"
+    joint = ": " if verdict.answer == "good" else ", because "
+    half_width = force_half_width(grasps)
+    width = f" Forces are known to ± {100 * half_width:.0f} %." if np.isfinite(half_width) else ""
+    if verdict.answer == "good" and not conditions.limits:
+        width += " Damage is not judged: no limit is given (--limit)."
+    return f"{group.name}: {verdict.answer} ({count}){joint}{reasons}.{width}"
+
+
+def _out_of_balance(grasps: Sequence[MeasuredGrasp], verdict: Verdict) -> str:
+    if all(len(grasp.faces) == 1 for grasp in grasps):
+        return (
+            "contacts were read on one face only: what holds the object against them, such as a table, "
+            "suction or a face without sensors, was not felt"
+        )
+    return (
+        "the contacts that were read do not balance (chance of equilibrium at most "
+        f"{shown(verdict.balance.high)}): one was not felt, or forces are wrong"
+    )
+
+
+def _reason(judged: Judged) -> str:
+    measure, median = measure_of(judged.name), judged.median
+    unit = "" if measure.unit == "1" else f" {measure.unit}"
+    relation = {True: "at most", False: "more than", None: "perhaps more than"}[judged.good]
+    if np.isnan(median.value):
+        return f"{measure.title} is not known"
+    if judged.name.startswith("damage_"):
+        low, value, high = (f"{100 * p:.0f}" for p in (median.low, median.value, median.high))
+        return (
+            f"{measure.title} {value} % ({low} to {high} %), {relation} {100 * judged.most:.0f} %"
+        )
+    return f"{measure.title} {with_ends(median)}{unit}, {relation} {shown(judged.most)}"
 
 
 def sentences(groups: list[Group], differences: dict[str, list[Difference]]) -> list[str]:
@@ -62,25 +126,24 @@ def difference_text(difference: Difference, headline: str) -> str:
     )
 
 
-def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditions) -> list[str]:
+def warnings_of(groups: list[Group], conditions: Conditions) -> list[str]:
     """Return what cannot be said, and why."""
     tracks = [recording.read for group in groups for recording in group.recordings]
     texts = list(dict.fromkeys(text for read in tracks for text in read.texts))
-    for group in groups:
-        if not group.grasps:
-            texts.append(f"{group.name}: no grasp found; it is not ranked.")
-        elif len(group.grasps) < _FEW:
+    # where figures are withheld, the verdict says why
+    trusted = [group for group in groups if group.trusted]
+    tracks = [recording.read for group in trusted for recording in group.recordings]
+    for group in trusted:
+        if len(group.grasps) < _FEW:
             texts.append(
                 f"{group.name}: few grasps ({len(group.grasps)}); the interval of the median is too narrow."
             )
-        shares = group.values("unexplained")
-        if len(shares) and shares.mean() > DISTRUST_FROM:
+        if group.unexplained > DISTRUST_FROM:
             texts.append(
-                f"{group.name}: the estimator cannot explain {100 * shares.mean():.0f} % of the grasps' "
-                "frames; forces and places may be wrong by more than their intervals"
-                + (", and it is not ranked." if not group.trusted else ".")
+                f"{group.name}: the estimator does not explain {100 * group.unexplained:.0f} % of the "
+                "pressed frames; grasps may be missed, and figures wrong by more than their intervals."
             )
-    if not any(read.track.has_tangential for read in tracks):
+    if tracks and not any(read.track.has_tangential for read in tracks):
         texts.append(
             "Tangential forces are not read by this estimator: friction used, and the part of the "
             f"balance across the jaws, are unknown within a friction of {conditions.friction:g}."
@@ -89,11 +152,15 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
         texts.append(
             "Networks read one whole force and its centre a face: tips of one jaw are not told apart."
         )
-    if not options.weight_n:
+    if tracks and not conditions.weight_n:
         texts.append(
             "The weight is not given (--weight): balance is judged as if the object weighed nothing."
         )
-    return [*texts, *filter(None, (unplaced_text(groups, conditions), balance_text(groups)))]
+    if tracks:
+        texts += [
+            f"Limit of {limit.name}: {limit.note}" for limit in conditions.limits if limit.note
+        ]
+    return [*texts, *filter(None, (unplaced_text(groups, conditions), balance_text(trusted)))]
 
 
 def unplaced_text(groups: list[Group], conditions: Conditions) -> str:
@@ -108,7 +175,7 @@ def unplaced_text(groups: list[Group], conditions: Conditions) -> str:
 
 
 def balance_text(groups: list[Group]) -> str:
-    values = np.concatenate([group.values("equilibrium_p") for group in groups])
+    values = np.concatenate([np.zeros(0), *(group.values("equilibrium_p") for group in groups)])
     chances = values[np.isfinite(values)]
     if not len(chances):
         return ""
@@ -118,6 +185,7 @@ def balance_text(groups: list[Group]) -> str:
     if rows:
         inside = sum(row["inside"] for row in rows)
         text += (
-            f"; load cells lie in the 90 % interval of their face in {inside} of {len(rows)} cases"
+            f"; load cells lie in the 90 % interval of their face in {inside} of {len(rows)} cases, and "
+            f"{100 * missed_share(groups):.0f} % of the frames that they show pressed lie in no grasp"
         )
     return f"{text}."

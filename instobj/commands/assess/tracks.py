@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,9 @@ from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero, read_through
-from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.frames.dataset import NO_FACE, FrameSet, load_frames
+from estimator.frames.face_data import HISTORY
+from estimator.frames.same_object import same_grid
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
@@ -30,7 +32,8 @@ from instobj.commands.readings import (
     zeroed_data_set,
 )
 from instobj.store.progress import ProgressLine
-from instobj.store.readers import INVERSION, face_model_paths, published_tables
+from instobj.store.publish import OWN_FOLDERS
+from instobj.store.readers import FRAMES, INVERSION, face_model_paths, published_tables
 
 if TYPE_CHECKING:
     from estimator.networks.face_model import FaceModel
@@ -39,18 +42,22 @@ MOST_UNEXPLAINED = 0.5
 """Share of pressed frames without explanation from which networks read in the inversion's place."""
 _OTHERS = ("contacts.csv", "grasps.csv", *published_tables())
 """Tables that instobj writes next to recordings."""
+_TRAINED_SHARE = 0.5
+"""Share of a recording's frames that were trained on from which it counts as the training's own."""
 _STEP = 200
 """Frames between two words of progress."""
 
 
 @dataclass(frozen=True)
 class Estimators:
-    """Inversion and networks (by face) of a folder, and the object that they read."""
+    """Inversion and networks (by face) of a folder, and the object that they read; `training` holds the
+    signals of every frame of the data set in the folder, which they were trained on."""
 
     path: Path
     spec: ObjectSpec
     inversion: Inversion | None
     networks: dict[int, FaceModel]
+    training: frozenset[bytes]
 
 
 @dataclass(frozen=True)
@@ -63,6 +70,7 @@ class ReadRecording:
     method : what read it
     texts : what is to be said of it
     faults : that were found in the file and corrected
+    trained_on : the estimators were trained on it
     """
 
     path: Path
@@ -71,6 +79,7 @@ class ReadRecording:
     method: str
     texts: list[str]
     faults: list[str]
+    trained_on: bool
 
 
 def load_estimators(given: Path, spec: Path | None) -> Estimators:
@@ -81,7 +90,7 @@ def load_estimators(given: Path, spec: Path | None) -> Estimators:
     Raises
     ------
     InputError
-        No estimator, or networks alone without a specification.
+        No estimator, networks alone without a specification, or a specification of another object.
     """
     from estimator.inversion.storage import load_inversion
     from estimator.networks.face_model import load_model
@@ -99,13 +108,62 @@ def load_estimators(given: Path, spec: Path | None) -> Estimators:
             "that `instobj train` wrote to"
         )
     if spec is not None:
-        return Estimators(given, load_spec(spec, []), inverted, networks)
-    if inverted is None:
+        described = load_spec(spec, [])
+        _require_object_of(described, spec, inverted, networks)
+    elif inverted is None:
         raise InputError(
             f"{given} holds networks alone, which do not tell the object's shape. Give its specification "
             "with --spec SPEC.toml"
         )
-    return Estimators(given, inverted.model.spec, inverted, networks)
+    else:
+        described = inverted.model.spec
+    return Estimators(given, described, inverted, networks, _training_frames(given, described))
+
+
+def _require_object_of(
+    described: ObjectSpec, path: Path, inverted: Inversion | None, networks: dict[int, FaceModel]
+) -> None:
+    """Raise InputError where a specification is of another body than the estimators read.
+
+    Networks know the contact grid, their faces and the sensors on them, and no sizes.
+    """
+    if inverted is not None and inverted.model.spec.body != described.body:
+        raise InputError(
+            f"--spec {path} has another body than the one that the inversion reads. Leave --spec out: "
+            f"{INVERSION.name} holds its own specification"
+        )
+    grid = contact_grid(described)
+    for face, model in networks.items():
+        sensors = max(sensor for _, sensor, _ in model.channels) + 1
+        read_faces = {face, *(of_face % HISTORY for of_face, *_ in model.channels)}
+        of_model = (model.grid_x_mm, model.grid_y_mm)
+        if (
+            not same_grid((grid.x_mm, grid.y_mm), of_model)
+            or not read_faces <= set(described.body.sensed)
+            or sensors > described.sensors.count_per_face
+        ):
+            raise InputError(
+                f"--spec {path} is of another object: the network of face {face} reads {sensors} sensors on "
+                f"faces {sorted(read_faces)} and places on a grid of {len(of_model[0])} × "
+                f"{len(of_model[1])} from ({of_model[0][0]:g}, {of_model[1][0]:g}) mm on. Give the "
+                "specification of the object that was recorded"
+            )
+
+
+def _training_frames(given: Path, spec: ObjectSpec) -> frozenset[bytes]:
+    """Signals of the frames in the data set of the estimators' folder; none without a data set."""
+    folder = given if given.is_dir() else given.parent
+    folder = folder.parent if folder.name in OWN_FOLDERS else folder
+    data_set = FRAMES.path(folder)
+    if not data_set.is_file():
+        return frozenset()
+    return frozenset(_frame_keys(load_frames(data_set), spec))
+
+
+def _frame_keys(frames: FrameSet, spec: ObjectSpec) -> list[bytes]:
+    """Signals of each frame, as files keep them."""
+    signals = frames.select_faces(spec.body.sensed).signal_counts
+    return [row.tobytes() for row in np.nan_to_num(signals).astype(np.float32)]
 
 
 def recordings_in(given: Path) -> list[Path]:
@@ -150,18 +208,29 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     frames, faults, texts = _frames_of(path, estimators, zeroing)
     labelled = bool(np.any(frames.contact_face != NO_FACE))
     cells = frames if labelled else None
+    repeated = sum(key in estimators.training for key in _frame_keys(frames, estimators.spec))
+    trained_on = repeated > _TRAINED_SHARE * len(frames)
     if estimators.inversion is not None:
         track = _inverted(path, frames, estimators.inversion)
-        pressed = np.any(track.face != NO_FACE, axis=1)
-        unexplained = float(np.mean(~track.explained[pressed])) if pressed.any() else 0.0
+        unexplained = unexplained_share([track])
         if unexplained <= MOST_UNEXPLAINED or not estimators.networks:
-            return ReadRecording(path, track, cells, "inversion", texts, faults)
+            return ReadRecording(path, track, cells, "inversion", texts, faults, trained_on)
         texts.append(
             f"{path.name}: the inversion explains {100 * (1 - unexplained):.0f} % of the pressed frames; "
             "networks read it instead"
         )
     track = _networks_track(frames, estimators.networks)
-    return ReadRecording(path, track, cells, "networks", texts, faults)
+    return ReadRecording(path, track, cells, "networks", texts, faults, trained_on)
+
+
+def unexplained_share(tracks: Sequence[ContactTrack]) -> float:
+    """Return the share of the pressed frames that the estimator does not explain, of 0 to 1.
+
+    A frame that is not explained counts as pressed: where no contact is read, something changed the signals.
+    """
+    pressed = [np.any(track.face != NO_FACE, axis=1) | ~track.explained for track in tracks]
+    total = sum(int(frames.sum()) for frames in pressed)
+    return sum(int((~track.explained).sum()) for track in tracks) / max(total, 1)
 
 
 def frame_documents(track: ContactTrack) -> Iterator[dict[str, Any]]:
@@ -279,7 +348,8 @@ def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrac
             sets.append(tracker.feed(change))
             if number % _STEP == 0:
                 progress.step(f"frame {number} of {len(frames)}")
-    return track_of_sets(frames.time_s, ContactSets.joined(sets))
+    force_error = inversion.disturbances.force_error
+    return track_of_sets(frames.time_s, ContactSets.joined(sets), force_error)
 
 
 def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:

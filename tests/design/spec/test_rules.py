@@ -66,6 +66,7 @@ as_built.magnets=[{face=%,magnet=1}] | 5 | 6 | face
 as_built.magnets=[{face=2,magnet=1,axis=[0,0,%]}] | 0.1 | 0 | has no direction
 collection.faces=% | [1,2] | [2,2] | names a face twice; got \\[2, 2\\]
 collection.grasp_faces=% | [3,5] | [3,3] | grasp_faces names a face twice
+collection.grasp_faces=% | [3,5,5] | [3,5,2] | fingers on different faces
 collection.tangential_share=0.5 collection.kind=% | continuous | paper | tangential_share
 collection.tangential_share=0.5 collection.kind=continuous collection.contacts=% | 1 | 2 | tangential_share
 collection.kind=continuous collection.contacts=2 collection.tangential_share=% | 0 | 0.1 | tangential_share

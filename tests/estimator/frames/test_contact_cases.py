@@ -54,6 +54,32 @@ def test_grasps_at_random_poses_keep_the_probes_and_the_grid():
     assert not np.allclose(again[0].xy_mm, cases[0].xy_mm)
 
 
+def test_a_thumb_presses_between_two_fingers_and_a_pad_alone():
+    def cases_of(*faces):
+        return grasp_cases(
+            ObjectSpec(name="cube", collection=CollectionSpec(kind="handling", grasp_faces=faces))
+        )
+
+    frames = {frame.number: frame for frame in face_frames(ObjectSpec(name="cube"))}
+    hands, pads = cases_of(3, 5, 5), cases_of(1)
+    assert len(hands) == 5
+    for case in hands:
+        assert (case.face.tolist(), case.cell.tolist(), case.squeezed) == (
+            [3, 5, 5],
+            [0, 1, 1],
+            True,
+        )
+        points = [
+            frames[face].to_object(np.append(frames[face].to_plane(xy), 0.0))
+            for face, xy in zip(case.face.tolist(), case.xy_mm, strict=True)
+        ]
+        # fingers that press alike balance the thumb: their middle lies over it
+        assert_allclose(points[0][1:], np.mean(points[1:], axis=0)[1:], atol=1e-9)
+        assert np.linalg.norm(points[1] - points[2]) == pytest.approx(15.0)
+    assert len({case.place_id for case in [*hands, *pads]}) == len(hands) + len(pads)
+    assert all(not case.squeezed and set(case.face.tolist()) == {1} for case in pads)
+
+
 def test_jaws_on_a_ball_and_on_a_handle_press_opposite_places():
     """Along the surface: 8 mm on one side lie over 8 mm on the other, mirrored in one axis."""
     for kind, size in (("sphere", [44, 44, 44]), ("cylinder", [44, 44, 60])):

@@ -39,7 +39,7 @@ def test_the_covariance_is_that_of_drawn_contacts():
     root = 0.1 * rng.normal(size=(2, 5, 5))  # places and forces err together
     pair = placed([3, 1], [[4, 3], [-6, 2]], [8, 5], [[1, 0.5], [0.2, -0.7]])
     pair = replace(pair, covariance=root @ root.transpose(0, 2, 1))
-    drawn = [net_wrench(pair.drawn(rng.standard_normal((2, 5))), 0.5)[0] for _ in range(4000)]
+    drawn = [net_wrench(pair.drawn(rng.standard_normal((2, 5)), 0.0), 0.5)[0] for _ in range(4000)]
     _, covariance = net_wrench(pair, 0.5)
     sigma = np.sqrt(np.diag(covariance))
     assert_allclose(np.std(drawn, axis=0), sigma, rtol=0.06)

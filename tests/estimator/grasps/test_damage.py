@@ -64,7 +64,7 @@ def test_probabilities_are_those_of_drawn_fruits():
     broken, told = [], []
     for force in forces:
         pressed = np.abs(force + 0.3 * rng.standard_normal((64, 2)))
-        told.append(damage_probability(LIMIT, pressed, 5.0)[0])
+        told.append(damage_probability(LIMIT, pressed, 5.0)[0].mean())
         fruits = 0.3 * np.exp(0.25 * rng.standard_normal(4000))
         load = LIMIT.load(np.abs(force + 0.3 * rng.standard_normal((4000, 2))), 5.0).max(axis=1)
         broken.append(np.mean(load > fruits))
@@ -75,7 +75,7 @@ def test_probabilities_are_those_of_drawn_fruits():
 def test_one_fruit_has_one_limit_for_all_its_contacts():
     force = np.full((1, 3), 5.0)
     whole, each = damage_probability(LIMIT, force, 5.0)
-    assert whole == pytest.approx(each[0])
+    assert whole.mean() == pytest.approx(each[0])
 
 
 def test_a_sharper_tip_damages_sooner():

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import numpy as np
 import pytest
@@ -10,11 +11,12 @@ from estimator.frames.dataset import load_frames, save_frames
 from estimator.grasps.measures import measured_grasps
 from estimator.grasps.phases import find_grasps
 from estimator.grasps.ranking import compare, exchanged_share
-from estimator.grasps.track import track_of_labels
+from estimator.grasps.track import ContactTrack, track_of_labels
 from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
 from instobj.commands.assess.command import conditions_of
+from instobj.commands.assess.tracks import unexplained_share
 from tests.support.cli import run
 from tests.support.mechanics.inverted import SPEC, inverted
 from tests.support.recordings.handled import FORCE, handled
@@ -56,6 +58,35 @@ def test_the_gentle_gripper_is_ranked_first_in_a_sentence(ranked):
     assert document["exchanged"] <= 0.08
 
 
+def test_the_first_lines_answer_for_each_gripper(ranked):
+    """Tomatoes break at some 6 N: three newtons are good, six are not."""
+    document, folder = ranked
+    rough, gentle = document["texts"][:2]
+    assert rough.startswith("rough: not good (6 grasps, in the median), because chance of damage")
+    assert gentle.startswith("gentle: good (6 grasps, in the median): friction needed")
+    assert "Forces are known to ±" in gentle
+    page = (folder / "assess.html").read_text()
+    assert page.index("gentle: good") < page.index("<h2>")
+
+
+def test_a_recording_that_the_estimator_was_trained_on_is_named(bench, tmp_path):
+    (tmp_path / "model").mkdir()
+    for source, target in (("model/contacts.nc", "contacts.nc"), ("gentle/day1.nc", "frames.nc")):
+        (tmp_path / "model" / target).write_bytes((bench / source).read_bytes())
+    arguments = ("gentle/day1.nc", "rough/day1.nc", "--model", tmp_path / "model", "--json")
+    document = json.loads(run("assess", *arguments, cwd=bench).stdout)
+    said = [text for text in document["texts"] if "was trained on this recording" in text]
+    assert len(said) == 1
+    assert said[0].startswith("day1.nc")
+
+
+def test_a_specification_of_another_body_is_refused(bench):
+    (bench / "longer.toml").write_text('name = "longer"\nbody.size_mm = [60, 42, 42]\n')
+    done = run("assess", "gentle", "--model", "model", "--spec", "longer.toml", cwd=bench)
+    assert done.returncode == 2
+    assert "has another body than the one that the inversion reads" in done.stderr
+
+
 def test_forces_are_those_that_pressed(ranked):
     _, folder = ranked
     with (folder / "grasps.csv").open() as file:
@@ -65,8 +96,10 @@ def test_forces_are_those_that_pressed(ranked):
     for name, rtol in (("mean_n", 0.12), ("grasp_n", 0.25)):
         read = np.array([float(row[name]) for row in rows])
         np.testing.assert_allclose(read, true if name == "mean_n" else true / 2, rtol=rtol)
-    over = np.array([float(row["peak_n"]) for row in rows]) / true
-    assert np.all((over > 0.95) & (over < 1.25))  # the largest of noisy readings
+    # of a steady window, as wrong as the mean force and no more
+    peak, mean = (np.array([float(row[name]) for row in rows]) for name in ("peak_n", "mean_n"))
+    np.testing.assert_allclose(peak, true, rtol=0.12)
+    assert np.all(peak >= mean)
 
 
 def test_page_figure_and_document_are_written_and_agree(ranked):
@@ -87,6 +120,29 @@ def test_what_cannot_be_said_is_said(ranked):
     texts = " ".join(ranked[0]["texts"])
     assert "The weight is not given" in texts
     assert "load cells lie in the 90 % interval" in texts
+    assert "a blunt finger needs more force, so that damage is overstated" in texts
+    # at most the two frames of fifteen in which jaws begin and end, at a fifth of the peak
+    missed = float(re.search(r"and (\d+) % of the frames that they show pressed", texts)[1])
+    assert missed <= 100 * np.mean(FORCE[FORCE > 0] < 0.3)
+
+
+def test_frames_that_nothing_explains_count_where_no_contact_is_read():
+    """Ten frames: two of a contact, one not explained with it, two without any contact."""
+    face = np.zeros((10, 1), int)
+    face[2:5] = 3
+    explained = np.ones(10, bool)
+    explained[4:7] = False
+    nothing = np.full((10, 1, 5), np.nan)
+    track = ContactTrack(
+        np.arange(10) / 10,
+        face,
+        nothing[..., :2],
+        nothing[..., :3],
+        np.zeros((10, 1, 5, 5)),
+        explained,
+    )
+    assert unexplained_share([track]) == pytest.approx(3 / 5)
+    assert unexplained_share([track.select(slice(0, 2))]) == 0
 
 
 def test_contacts_of_all_recordings_go_to_one_mcap_file(bench):
@@ -122,6 +178,9 @@ def test_a_gripper_against_itself_is_not_ranked(bench):
     (ranking,) = document["tables"]["ranking"]
     assert (ranking["sure"], ranking["test"]) == ("no", "rank sums")
     assert any("cannot be ranked by peak force" in text for text in document["texts"])
+    # without a limit a good grasp is a safe and steady one, and says so
+    assert all(": good (6 grasps" in text for text in document["verdicts"])
+    assert all(text.endswith("no limit is given (--limit).") for text in document["verdicts"])
 
 
 def raw_csv(path, counts, cells=False, blank=None):
@@ -202,6 +261,15 @@ def test_places_at_risk_are_of_peaks_that_are_explained(bench):
     document = json.loads(done.stdout)
     at_risk = document["tables"]["places most at risk"]
     assert {row["group"] for row in at_risk} == {"rough"}
+    # its figures are withheld, and its answer says why
+    (answer,) = (text for text in document["texts"] if text.startswith("magnet: "))
+    assert answer.startswith("magnet: cannot be said, because the estimator does not explain")
+    assert "Calibrate" in answer
+    assert {row["group"] for row in document["tables"]["grasps"]} == {"rough"}
+    with (bench / "runs" / "rough+magnet" / "assess" / "grasps.csv").open() as file:
+        withheld = [row for row in csv.DictReader(file) if row["group"] == "magnet"]
+    assert {row["peak_n"] for row in withheld} == {""}
+    assert all(float(row["unexplained"]) > 0.5 for row in withheld)
     assert any("leave out 6 of 12 grasps" in text for text in document["texts"])
 
 

@@ -105,3 +105,25 @@ def test_what_is_none_of_the_three_is_refused(tmp_path):
         describe_material("jelly", tmp_path)
     with pytest.raises(InputError, match="cannot read tensile data"):
         describe_material(str(tmp_path / "none.csv"), tmp_path)
+
+
+def test_a_fruit_names_the_layer_that_gives_way_as_it_does(tmp_path):
+    from design.catalogue.fruits import FRUITS
+    from fem.contact.bonded_layer import layer_force_n
+
+    document = describe_material("tomato", tmp_path)
+    (item,) = document["objects"]
+    layers = {row["silicone"]: row for row in item["summary"]["layers of silicone"]}
+    named = next(name for name in layers if document["texts"][0].startswith(name))
+    thickness = layers[named]["thickness mm"]
+    fruit = FRUITS["tomato"]
+    # Hertz by hand: F = 4/3 E/(1 − ν²) √R δ^1.5 with 1/R = 1/32 + 1/5
+    stiffness = 4 / 3 * fruit.youngs_modulus_mpa / (1 - 0.35**2) * np.sqrt(1 / (1 / 32 + 1 / 5))
+    depth = (5.0 / stiffness) ** (2 / 3)
+    modulus = SILICONES[named].modulus.youngs_modulus_mpa
+    assert layer_force_n(depth, modulus, 5.0, thickness) == pytest.approx(5.0, rel=1e-6)
+    # a layer that is thick beside the contact is a half-space
+    half_space = 16 / 9 * modulus * np.sqrt(5.0) * depth**1.5
+    assert layer_force_n(depth, modulus, 5.0, 1e4) == pytest.approx(half_space, rel=1e-3)
+    assert layers[named]["from"] < thickness
+    assert "Hertz" in document["texts"][1]
