@@ -55,7 +55,8 @@ class RecordingReport:
             f"of {_number(len(self.places), 'contact case')} on "
             f"face{'s' * (len(self.faces_pressed) > 1)} {', '.join(map(str, self.faces_pressed))}",
             f"  frames: {self.contact_frames} contact, {self.rest_frames} rest, "
-            f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
+            f"{self.unused_frames} not used (neither clearly pressed nor at rest, or faulty); "
+            f"{self.frame_rate_hz:.1f} frames/s; {self.units}",
             f"  forces up to {self.largest_force_n:.3g} N; noise at rest {_noise_text(self.noise_counts)}",
             f"  force lag: {_lag_text(self.lag)}",
             *(f"  {text}" for text in filter(None, [self.motion])),

@@ -73,8 +73,10 @@ time_s = np.arange(len(frames)) / spec.sensors.frame_rate_hz
 table = np.column_stack([time_s, frames])
 np.savetxt(recording, table, fmt="%.6g", delimiter=",", header=",".join(names), comments="")
 command = [sys.executable, "-m", "instobj", "predict", "--zero", "first:16"]
-subprocess.run([*command, contacts_file, recording], check=True, stdout=subprocess.DEVNULL)
-rows = np.genfromtxt(recording.with_suffix(".contacts.csv"), delimiter=",", names=True)
+command += ["--out", recording.parent, contacts_file, recording]
+subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+read = recording.parent / "runs" / "closing" / "contacts.csv"
+rows = np.genfromtxt(read, delimiter=",", names=True)
 bench_n = np.bincount(rows["frame"].astype(int), np.nan_to_num(rows["force_n"]), len(frames))
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.5), layout="constrained")

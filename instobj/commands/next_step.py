@@ -28,6 +28,7 @@ NEXT = {
     "recordings too few": "docs recordings",
     "adopt": "score",
     "train": "train --export",
+    "export": "predict",
     "train SPEC": "run --to frames --set collection.kind=continuous --set collection.presses=20",
     "train contacts": "predict",
     "adopt order": "validate",

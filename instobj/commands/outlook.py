@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import ceil
+
 from design.errors import InputError
 from design.placement.objects import (
     Request,
@@ -54,7 +56,7 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     return (
         f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of two) and "
         f"{score.percentile_95_mm:.2g} mm (95th percentile, within three); "
-        f"{percent_text(score.within)} of the contact locations within "
+        f"about {percent_text(score.within)} of the contact locations within "
         f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm"
     )
 
@@ -86,5 +88,6 @@ def next_step_text(spec: ObjectSpec) -> str:
             f"that the mechanics fit into {MOST_GIB:g} GiB: shallow presses are less exact\n"
         )
     seconds, gib = search_seconds(spec).chain, needed_gib("response", spec)
-    took = f"{seconds / 60:.0f} min" if seconds >= 120 else f"{seconds:.0f} s"
-    return f"{edges}scores (`instobj score`) take about {took} of one free core and {gib:.2g} GiB"
+    # the estimate is of one free core; programs beside it easily double the time
+    least, most = ceil(seconds / 60), ceil(2 * seconds / 60)
+    return f"{edges}scores (`instobj score`) take {least} to {most} min and {gib:.2g} GiB"

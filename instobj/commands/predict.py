@@ -16,6 +16,7 @@ from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gap
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
+from instobj.commands.next_step import next_step
 from instobj.commands.readings import (
     FOLLOW_REST,
     LiveFrame,
@@ -34,7 +35,7 @@ from instobj.store.publish import (
     own_folder_of,
     require_writable_folder,
 )
-from instobj.store.readers import INVERSION, face_model_paths
+from instobj.store.readers import FRAMES, INVERSION, face_model_paths
 
 COLUMNS: tuple[str, ...] = (
     "frame",
@@ -214,7 +215,11 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
         require_writable_folder(folder)  # before estimators are loaded, which takes seconds
     for path, target in targets.items():
         _export(path, target)
-    return {"command": "export", "files": file_rows(list(targets.values()))}
+    document = {"command": "export", "files": file_rows(list(targets.values()))}
+    first, exported = next(iter(targets.items()))
+    # a data set lies beside estimators that were trained on it
+    frames = first.parent / FRAMES.name
+    return document | ({"next": next_step("export", exported, frames)} if frames.is_file() else {})
 
 
 def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:

@@ -159,10 +159,15 @@ def recorded_frames(
                 "rest does not show. Take the repeated rows out (was it logged faster than the sensors "
                 "answer?), or take --zero first"
             )
+        if zeroing.mode == "first":
+            why = f"none after the first {zeroing.frames}, which give the zero"
+            remedy = "Take fewer frames as rest (--zero first:5)"
+        else:
+            why = f"and never {zeroing.frames} at rest on end, which give the zero"
+            remedy = "Take the first frames as rest (--zero first), touch nothing for a second before presses"
         raise InputError(
-            f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} that give "
-            f"a zero{''.join('; ' + text for text in texts)}. Give a longer recording, fewer frames "
-            "(--zero first:5) or, for signals that are changes already, --zero none"
+            f"{path} holds {len(raw)} frames, {why}{''.join('; ' + text for text in texts)}. {remedy} or, "
+            "for signals that are changes already, take --zero none"
         )
     return [
         (number, float(time_s[number]), result)

@@ -18,6 +18,7 @@ from instobj.commands.data_set import (
     work_through,
 )
 from instobj.commands.next_step import next_step
+from instobj.report.summary import NETWORKS_TITLE
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import TWIN, file_rows, require_writable, run_folder
@@ -166,8 +167,22 @@ def run_on_data_set(
     chosen = [stage for stage in stages_in_order if stage.name in (*stages, "networks")]
     folder = "" if twin is None else TWIN
     document = work_through(path, out, inputs, chosen, progress, folder)
-    document["summary"] |= {"presses of the data set": data_parts(frames, split)}
+    summary = document["summary"]
+    if NETWORKS_TITLE in summary and _tests_trained_places(frames, split):
+        summary[NETWORKS_TITLE]["holds for"] = (
+            "places that were trained on; at other places errors are larger"
+        )
+    summary |= {"presses of the data set": data_parts(frames, split)}
     return document
+
+
+def _tests_trained_places(frames: FrameSet, split: Split) -> bool:
+    """Return whether every held-out press lies at a place of the training."""
+    trained, tested = (
+        set(np.unique(frames.place_id[part & frames.valid & (frames.place_id >= 0)]).tolist())
+        for part in (split.train, split.test)
+    )
+    return tested <= trained
 
 
 def data_parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:

@@ -43,6 +43,7 @@ _CONTACTS_TITLE = (
     "found contacts from true ones; bound: what an unbiased estimator could reach; missed, ghosts: true "
     "contacts not found, and found ones that are none, per frame"
 )
+NETWORKS_TITLE = "what the networks are worth"
 _METRICS_TITLE = (
     "force maps of held-out presses, by the paper's metrics. similarity (A_sim): 1 where the maps agree; "
     "shift (E_loc): of the whole map, in pixels of the contact grid; force error (E_f): where it is pressed, "
@@ -78,11 +79,8 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
         ("networks", "calibrated twin (medians over labelled places)", _calibration),
-        (
-            "metrics",
-            _METRICS_TITLE,
-            _metrics,
-        ),
+        ("metrics", NETWORKS_TITLE, _networks_in_short),
+        ("metrics", _METRICS_TITLE, _metrics),
         (
             "metrics",
             "total force and place beside simple regressions, held-out presses (%: of the range of force "
@@ -285,6 +283,32 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
         for face in content[key]
     ]
     return sorted(rows, key=lambda row: row["face"])
+
+
+def _networks_in_short(result: StoredResult) -> dict[str, str]:
+    """Say for each face how far networks err, which simple regression errs surely less, and where not."""
+    rows, lines = METRICS.read(result.folder)["baselines"], {}
+    for model in (row for row in rows if row["name"] == "model"):
+        text = _errors_text(model)
+        better = [row for row in rows if row["face"] == model["face"] and _errs_surely_less(row)]
+        if better:
+            best = min(better, key=lambda row: row["total_force_n"])
+            text += (
+                f". Better here: {best['name']}, {_errors_text(best)}. Networks need more presses, or the "
+                "object's specification (--twin)"
+            )
+        lines[f"face {model['face']}"] = text
+    return lines
+
+
+def _errors_text(row: dict[str, Any]) -> str:
+    place = "" if row["place_mm"] is None else f", place within {row['place_mm']:.2g} mm"
+    return f"force within {row['total_force_n']:.2g} N{place} (means over {row['presses']} held-out presses)"
+
+
+def _errs_surely_less(row: dict[str, Any]) -> bool:
+    """Return whether the interval of the difference of forces to the model's lies below 0."""
+    return row["name"] != "model" and row["force_n_less_model"]["high"] < 0
 
 
 def _baselines(result: StoredResult) -> list[dict[str, Any]]:

@@ -44,6 +44,10 @@ def weak_areas_section(folder: Path) -> dict[str, Any]:
     }
 
 
+EDGES_ARE_WEAK_FROM = 1.5
+"""Edge ratio from which edges are called weak: half as uncertain again as the middle; ours."""
+
+
 def edge_text(content: dict[str, Any]) -> str:
     """Return whether edges are weak, by the one figure that pages and terminal give, and why."""
     ratio = content["edge_ratio"]
@@ -54,7 +58,8 @@ def edge_text(content: dict[str, Any]) -> str:
     if isinf(ratio):
         text = "the middle is located, the edges are not"
     elif times > 1:
-        text = f"{times:g} times as uncertain as the middle"
+        judged = "weak" if times >= EDGES_ARE_WEAK_FROM else "not weak"
+        text = f"{judged}, {times:g} times as uncertain as the middle"
     elif times < 1:
         text = f"less uncertain than the middle ({times:g} times)"
     else:

@@ -310,7 +310,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=7,
+        version=8,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
@@ -350,7 +350,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=26,
+        version=27,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -52,8 +52,7 @@ def calibrated_frames(
 def _drawn(spec: ObjectSpec, number: int) -> ObjectSpec:
     protocol = spec.protocol.changed(
         presses_per_place=PRESSES_PER_PLACE,
-        frames_per_press=FRAMES_PER_PRESS,
-        rest_frames_per_press=REST_FRAMES_PER_PRESS,
+        frames_per_press=(REST_FRAMES_PER_PRESS, FRAMES_PER_PRESS),
     )
     return spec.changed(seed=(spec.seed + _FIRST_SEED + number) % LARGEST_SEED, protocol=protocol)
 

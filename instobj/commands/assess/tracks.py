@@ -298,8 +298,9 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[F
     zeroed = np.array([number for number, zero in enumerate(zeros) if zero is not None], int)
     if not len(zeroed):
         raise InputError(
-            f"{stream.path} holds {count} frames, none of them after {zeroing.frames} at rest that give a "
-            f"zero{''.join('; ' + text for text in texts)}. Give a longer recording, or --zero first"
+            f"{stream.path} holds {count} frames, and never {zeroing.frames} at rest on end, which give "
+            f"the zero{''.join('; ' + text for text in texts)}. Begin at rest for a second, or take "
+            "--zero first"
         )
     levels = np.array([zeros[number] for number in zeroed]).reshape(-1, *raw.shape[1:])
     chosen = frames.select(zeroed)

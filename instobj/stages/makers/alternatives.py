@@ -186,7 +186,7 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 
 
 CHANGES: dict[str, Change] = {
-    "four times the averaging (half the white noise)": _quieter,
+    "mean of four frames (half the white noise, a quarter of the rate)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
     f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,

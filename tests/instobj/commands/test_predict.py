@@ -276,8 +276,12 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
     with (tmp_path / "runs" / "board" / "prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 10
-    with pytest.raises(InputError, match="--zero first:5"):
+    with pytest.raises(InputError, match=r"Take fewer frames as rest .--zero first:5"):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
+    with pytest.raises(
+        InputError, match=r"never 20 at rest on end.*first frames as rest .--zero first"
+    ):
+        predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("rest", 20))
 
 
 def test_a_recording_without_load_cells_is_read_all_the_same(folder, tmp_path):

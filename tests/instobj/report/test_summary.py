@@ -1,9 +1,12 @@
 """Numbers that the command line shows of stages."""
 
+import json
+
 import pytest
 
 from design.spec.object import ObjectSpec
-from instobj.report.summary import difference_row, identify_title
+from instobj.report.summary import NETWORKS_TITLE, difference_row, identify_title, summarize
+from instobj.store.content import StoredResult
 
 
 @pytest.mark.parametrize(("presses", "shown"), [(1, "–"), (2, "0.25")])
@@ -20,3 +23,22 @@ def test_bounds_of_several_contacts_tell_their_force_and_their_limit():
     assert "each of 4.5 N or what its deepest press reaches" in told
     assert told.endswith("ok: sets whose every contact is bounded within 1.25 mm")
     assert "score.force_n" in identify_title(None)
+
+
+@pytest.mark.parametrize(("high_n", "is_better"), [(-0.1, True), (0.1, False)])
+def test_a_simple_regression_that_errs_surely_less_than_the_networks_is_named(
+    tmp_path, high_n, is_better
+):
+    def row(name, force_n, place_mm, low, high):
+        difference = {"mean": (low + high) / 2, "low": low, "high": high}
+        errors = {"total_force_n": force_n, "total_force_percent": 5.0, "place_mm": place_mm}
+        differences = dict.fromkeys(("force_n_less_model", "place_mm_less_model"), difference)
+        return {"face": 1, "name": name, "presses": 49} | errors | differences
+
+    rows = [row("model", 0.4, 1.05, 0, 0), row("nearest neighbours", 0.2, 0.5, -0.3, high_n)]
+    content = dict.fromkeys(("faces", "ridge_regression", "mean_map", "intervals", "travel"), [])
+    (tmp_path / "metrics.json").write_text(json.dumps(content | {"baselines": rows}))
+    made = summarize({"metrics": StoredResult("metrics", "key", tmp_path, True, 0.0, {})})
+    line = made[NETWORKS_TITLE]["face 1"]
+    assert line.startswith("force within 0.4 N, place within 1.1 mm (means over 49 held-out")
+    assert ("nearest neighbours, force within 0.2 N, place within 0.5 mm" in line) == is_better

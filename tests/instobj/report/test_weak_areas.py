@@ -58,8 +58,13 @@ def test_the_sentence_says_what_weak_locations_go_with_and_how_much():
 @pytest.mark.parametrize(
     ("ratio", "paths", "text"),
     [
-        (1.54, (18.0, 9.0), "1.5 times as uncertain as the middle, because magnets and sensors"),
-        (1.54, (9.0, 9.0), "1.5 times as uncertain as the middle"),
+        (
+            1.54,
+            (18.0, 9.0),
+            "weak, 1.5 times as uncertain as the middle, because magnets and sensors",
+        ),
+        (1.54, (9.0, 9.0), "weak, 1.5 times as uncertain as the middle"),
+        (1.44, (9.0, 9.0), "not weak, 1.4 times as uncertain as the middle"),
         (1.04, (18.0, 9.0), "as good as the middle"),
         (0.8, (9.0, 18.0), "less uncertain than the middle (0.8 times)"),
         (float("inf"), (9.0, 9.0), "the middle is located, the edges are not"),

@@ -103,13 +103,10 @@ def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkey
     assert len(found) == 2 * len(structured.scoring_forces_n)
 
 
-@pytest.mark.parametrize(("baseline", "offset"), [("fresh", 4.0), ("drifted", 60.0)])
-def test_candidates_are_scored_with_the_baseline_that_the_search_names(
-    monkeypatch, baseline, offset
-):
+@pytest.mark.parametrize("offset", [4.0, 60.0])
+def test_candidates_are_scored_with_the_error_of_the_zero(monkeypatch, offset):
     spec = made_up_spec()
-    sensors = spec.sensors.changed(zeroing_counts=4.0, drift_counts=60.0)
-    spec = spec.changed(sensors=sensors, search=spec.search.changed(baseline=baseline))
+    spec = spec.changed(sensors=spec.sensors.changed(zeroing_counts=offset, drift_counts=60.0))
     monkeypatch.setattr(
         lowest_fidelity.Run, "require", lambda run, name: SimpleNamespace(folder=name)
     )
