@@ -69,8 +69,8 @@ def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add(shell, distan
     left, whole, size = [], [], []
     for place, axis in rng.standard_normal((12, 2, 3)):
         position = tuple((distance_mm * place / np.linalg.norm(place)).tolist())
-        magnet = {"position_mm": position, "axis": tuple(axis.tolist())}
-        magnet |= {"diameter_mm": 10.0, "height_mm": 5.0, "remanence_t": 1.4}
+        remanence_t = tuple((1.4 * axis / np.linalg.norm(axis)).tolist())
+        magnet = {"position_mm": position, "size_mm": (10.0, 5.0), "remanence_t": remanence_t}
         around = CUBE.environment.changed(magnets=[magnet])
         change = (rest_counts(CUBE.changed(environment=around)) - rest_counts(CUBE)).ravel()
         unknowns = np.linalg.lstsq(columns, change, rcond=None)[0]
