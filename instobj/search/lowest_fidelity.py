@@ -60,6 +60,7 @@ from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
 from instobj.search.joined import USED, fit_budget, quick_space
+from instobj.search.time_limit import FIRST_LOOK_S
 from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
@@ -97,8 +98,11 @@ class TimedTrials:
 
     @property
     def left_s(self) -> float:
-        """Return the seconds that are left; clocks of several machines agree within a second or so."""
-        return self.ends_at - time.time()
+        """Return the seconds that are left, `FIRST_LOOK_S` at least, where mechanics were slow to read.
+
+        Clocks of several machines agree within a second or so.
+        """
+        return max(self.ends_at - time.time(), FIRST_LOOK_S)
 
 
 Evaluate = Callable[[TimedTrials], list[Scored]]
@@ -130,6 +134,8 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
         nullcontext() if device.type == "cpu" else device
     )  # a context that costs each call a little
     with device_context:
+        # the first structure shares the bases of these, which take longest to make
+        held = [*scorers(space.spec, single_faces(space.spec.body.sensed))]
         start = start_scores(space.spec)
     start_layout = start_params(space)
     by_structure: dict[Any, tuple[LowestFidelity, float, SearchSpace]] = {}
@@ -139,13 +145,14 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
         structure = structure_of(space, trials[0])
         if structure not in by_structure:
             lowest, generation_s, planned = structure_fidelity(space, trials[0], start), 0.0, space
+            held.clear()
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
                 planned = fit_budget(space, generations, generation_s, len(trials), timed.left_s)
             by_structure[structure] = lowest, generation_s, planned
         lowest, generation_s, planned = by_structure[structure]
         share = _START_SHARE if starting and np.isfinite(first_s) else 1.0
-        seconds = share * timed.left_s
+        seconds = max(share * timed.left_s, FIRST_LOOK_S)
         held_s = min(first_s, _START_SHARE * seconds) if starting else USED * seconds
         if space.spec.search.polish_steps:
             planned = quick_space(planned, generation_s * len(trials), held_s)

@@ -84,7 +84,8 @@ def optimize(
             levels = Levels(folder / "rungs.json", say, others)
             promotion = Promoter(space, limit, levels).promote(kept)
     if promotion is None:
-        again = [*overrides, f"search.seconds={2 * limit.seconds:g}"]
+        kept_keys = [text for text in overrides if not text.startswith("search.seconds=")]
+        again = [*kept_keys, f"search.seconds={2 * limit.seconds:g}"]
         return nothing_better(
             space, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         ) | {"next": next_step("optimize again", path, out=out, overrides=again)}

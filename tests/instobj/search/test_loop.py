@@ -239,7 +239,7 @@ def test_the_specification_s_own_layout_is_looked_at_first_and_alone(tmp_path):
 
 def test_a_first_layout_that_failed_is_tried_again_once_in_the_next_call(tmp_path):
     space, path = made_up_space(trials=8), tmp_path / "trials.jsonl"
-    first = drawn_start(space, 5)
+    first = dict(drawn_start(space, 20))
     kept = open_trials(space.spec, path)
     kept.keep([failed_trial(0, first, "no result after 900 s")])
     kept = open_trials(space.spec, path, resume=True)

@@ -62,7 +62,8 @@ def made_up_search(steps):
 def test_trials_too_long_for_their_time_are_cut_to_it_and_better_than_the_start(
     monkeypatch, first_s
 ):
-    """Every generation takes so long that those asked for would take many minutes."""
+    """Every generation takes so long that those asked for would take many minutes; each trial has
+    `FIRST_LOOK_S` at least, though reading its mechanics took all of its time."""
     space, lowest, before = made_up_search(steps=300)
     fast = lowest_fidelity.judge
 
@@ -71,6 +72,7 @@ def test_trials_too_long_for_their_time_are_cut_to_it_and_better_than_the_start(
         return fast(*args)
 
     monkeypatch.setattr(lowest_fidelity, "judge", slow)
+    monkeypatch.setattr(lowest_fidelity, "scorers", lambda spec, faces: ())
     monkeypatch.setattr(lowest_fidelity, "start_scores", lambda spec: None)
     monkeypatch.setattr(lowest_fidelity, "structure_fidelity", lambda *args: lowest)
     monkeypatch.setattr(lowest_fidelity, "seconds_per_generation", lambda *args: 0.5)
@@ -78,11 +80,11 @@ def test_trials_too_long_for_their_time_are_cut_to_it_and_better_than_the_start(
     evaluate = lowest_fidelity.lowest_fidelity((content, 600, first_s))
     start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
     began = time.monotonic()
-    (walked,) = evaluate(TimedTrials([start], time.time() + 8.0))
-    (cut,) = evaluate(TimedTrials([other], time.time() + 3.0))
-    assert time.monotonic() - began < 8.0 + 3.0 + 4.0
+    (walked,) = evaluate(TimedTrials([start], time.time() + 3.0))
+    (cut,) = evaluate(TimedTrials([other], time.time() - 1.0))
+    assert time.monotonic() - began < 2 * FIRST_LOOK_S + 4.0
     assert 0 < walked.generations < 20
-    assert 0 < cut.generations <= 6
+    assert 0 < cut.generations < 20
     assert (walked.broken_mm, walked.misfit) == (0.0, "")
     assert walked.values[0] < before["worst_position_bound_mm"]
 

@@ -247,9 +247,9 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
 def test_without_a_result_the_error_says_why_trials_failed_or_which_limit_is_in_the_way(tmp_path):
     space, limit = made_up_space(trials=60), TimeLimit(900)
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")
-    params = drawn_start(space, 1)
+    params = dict(drawn_start(space, 1))
     why = "the process that worked on it died (exit code -9)"
-    kept.keep([failed_trial(0, drawn_start(space, 0), "no result after 900 s")])
+    kept.keep([failed_trial(0, dict(drawn_start(space, 0)), "no result after 900 s")])
     kept.keep([failed_trial(1, params, why)])
 
     def refused():
