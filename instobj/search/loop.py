@@ -36,18 +36,20 @@ def run_search(
     first: Params | None = None,
     over: Callable[[], bool] = lambda: False,
     at_once: int = 1,
+    announce: Say | None = None,
 ) -> None:
     """Add trials until there are as many as asked for, or the time is `over` after a batch.
 
     A batch has `layouts_at_once`, scored in `at_once` places. `first` is tried first, alone, so that there is
-    something to look at soon. Trials with fewer generations than planned are said, once.
+    something to look at soon. Why trials failed, and once that they have fewer generations than planned, goes
+    to `announce`, as `say` may leave out lines.
 
     Raises
     ------
     InputError
         Trials cannot be kept, or nothing but failures comes back.
     """
-    search, failed = space.spec.search, 0
+    search, failed, announce = space.spec.search, 0, announce or say
     together = layouts_at_once(search, at_once)
     begun, cut = len(kept.trials), ""
     while (finished_count := len(kept.trials)) < search.trials:
@@ -65,11 +67,11 @@ def run_search(
         finished = _scored_batch(space, finished_count, starts, score, at_once)
         kept.keep(finished)
         for reason in sorted({trial.failure for trial in finished} - {""}):
-            say(f"no result, kept as failed: {reason}")
+            announce(f"no result, kept as failed: {reason}")
         if not cut and not (alone and search.trials > 1):
             cut = _describe_cut(finished, search)
             if cut:
-                say(cut)
+                announce(cut)
         failed = _count_failed(finished, failed)
         say(_standing(kept, search))
         if over():

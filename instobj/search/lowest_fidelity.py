@@ -324,8 +324,8 @@ def score_trials(
         params = params_at(space, unit) | {
             v.name: trial[v.name] for v in space.variables if v.choices
         }
-        one = _scored(spec, params, judged, row, int(scorings[row]))
-        scored.append(replace(one, generations=spec.search.polish_steps))
+        result = _scored(spec, params, judged, row, int(scorings[row]))
+        scored.append(replace(result, generations=spec.search.polish_steps))
     return scored
 
 

@@ -258,7 +258,7 @@ def _search(
             ends = trial_ends(len(questions), workers.count, left_s(), seconds)
             return ask([*map(TimedTrials, questions, ends)], seconds)
 
-        run_search(space, kept, score, say, first, keep_and_stop, workers.count)
+        run_search(space, kept, score, say, first, keep_and_stop, workers.count, progress.say)
 
 
 def _document(
