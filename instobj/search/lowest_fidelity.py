@@ -81,8 +81,8 @@ _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = Weak
 each."""
 
 _START_SHARE = 0.5
-"""Of the time of the specification's own layout, for its generations; the rest is for its walk. Of the time
-of all trials it has as much where others follow."""
+"""Share of the start's time for its generations, the rest for its walk; of the
+time of all trials for the start."""
 
 
 @dataclass(frozen=True)
