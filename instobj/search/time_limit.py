@@ -134,8 +134,9 @@ class TimeLimit:
 
 
 def trial_ends(questions: int, at_once: int, left_s: float, most_s: float) -> list[float]:
-    """When answers to so many questions shall be there, as `time.time()`, if `at_once` are answered side by
-    side.
+    """Return when answers to that number of questions shall be there, as `time.time()`.
+
+    As many as `at_once` are answered side by side.
 
     They share `left_s`, what is left to all trials, evenly; each has `FIRST_LOOK_S` at least, and ends before
     it is given up after `most_s`.

@@ -29,7 +29,7 @@ class Scored:
     """Outcome of a trial: its polished variables, values to minimise and scores.
 
     `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
-    `scorings` are the layouts that were scored for it, `generations` those that its time held, 0 where
+    `scorings` are the layouts that were scored for it, `generations` the length of its run, 0 where
     an earlier version kept the trial.
     """
 
