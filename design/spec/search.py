@@ -111,8 +111,8 @@ class SearchSpec(SpecPart):
     generations of CMA-ES, about a hundred scorings each. `trials` that choices and processes do
     not need are joined to fewer, of up to 600 generations each. `seconds` are those of a whole call,
     mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
-    A trial beyond `trial_limit_s` is given up. `leaders` go to the second fidelity level (rigid magnets),
-    `finalists` to the last.
+    Each has as many generations as its time holds; one beyond `trial_limit_s` is given up. `leaders` go to
+    the second fidelity level (rigid magnets), `finalists` to the last.
     Bounds are of a baseline that is `sensors.zeroing_counts` off.
     """
 

@@ -160,6 +160,7 @@ def polish(
     unit: Float[Tensor, "layout variable"],
     generations: int,
     weights: Float[Tensor, "layout objective"],
+    over: Callable[[], bool] = lambda: False,
 ) -> Float[Tensor, "layout variable"]:
     """Better points by the weighted logarithms of the objectives, each by a CMA-ES of its own.
 
@@ -169,13 +170,13 @@ def polish(
     decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
     broad generations are plain CMA-ES. No point ends worth less than it began, but that what keeps all limits
     goes before what breaks one by a hair; none breaks a limit more than it began, and none without a value is
-    taken. Repeatable: a run's seed comes from its point.
+    taken. Repeatable: a run's seed comes from its point; no generation begins once the time is `over`.
     """
     sizes = populations(unit.shape[1], generations)
     runs = [Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
     together = runs_together(unit.device, max(sizes, default=1))
     for first in range(0, len(runs), together):
-        _evolve(judge_at, runs[first : first + together], sizes)
+        _evolve(judge_at, runs[first : first + together], sizes, over)
     return torch.stack([run.best for run in runs]) if runs else unit
 
 
@@ -304,15 +305,17 @@ class Worth:
     broken: Float[Tensor, "layout limit"]
 
 
-def _evolve(judge_at: Judge, runs: Sequence[Evolution], sizes: Sequence[int]) -> None:
-    """Runs side by side, each as if alone, in generations of these sizes."""
+def _evolve(
+    judge_at: Judge, runs: Sequence[Evolution], sizes: Sequence[int], over: Callable[[], bool]
+) -> None:
+    """Runs side by side, each as if alone, in generations of these sizes, until the time is `over`."""
     for run, worth in _judged(judge_at, runs, [run.begin[None] for run in runs]):
         run.keep_best(worth)
     begun = np.cumsum([0, *sizes])
     plain = bool(runs) and max(sizes, default=0) <= _default_population(len(runs[0].begin))
     for size, evaluated in zip(sizes, begun[:-1], strict=True):
         going = [run for run in runs if not run.search.should_stop()]
-        if not going:
+        if not going or over():
             break
         for run, worth in _judged(judge_at, going, [run.ask(size) for run in going]):
             run.tell(worth, 1.0 if plain else float(evaluated / begun[-1]))

@@ -6,7 +6,7 @@ import multiprocessing
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Sized
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -99,7 +99,7 @@ class WorkerProcess:
         return self._process.exitcode
 
 
-Ask = Callable[[Sequence[Sequence[Any]], float], list[Any]]
+Ask = Callable[[Sequence[Sized], float], list[Any]]
 
 
 @contextmanager
@@ -134,11 +134,11 @@ def answers(
 def _answer_in_turn(
     process: WorkerProcess,
     thread: ThreadPoolExecutor,
-    questions: Sequence[Sequence[Any]],
+    questions: Sequence[Sized],
     seconds: float,
     waiting: Callable[[int], None],
 ) -> list[Any]:
-    def answer(question: Sequence[Any]) -> Any:
+    def answer(question: Sized) -> Any:
         try:
             return process.ask(question, seconds)
         except (WorkerTimeout, InputError) as error:
@@ -159,7 +159,7 @@ class _ClusterQuestions:
     workers: OnDask
     waiting: Callable[[int], None]
 
-    def answers(self, questions: Sequence[Sequence[Any]], seconds: float) -> list[Any]:
+    def answers(self, questions: Sequence[Sized], seconds: float) -> list[Any]:
         from distributed import wait as wait_for
 
         answers_by_index: dict[int, Any] = {}

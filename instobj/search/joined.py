@@ -15,6 +15,8 @@ _LONGEST = 600
 """Generations that one run gains by, seen on the paper's cube; more were not tried."""
 _SPARE = 2.0
 """A joined run shall take half of the time at most that is left to all trials."""
+USED = 0.9
+"""Share of a trial's time that generations are planned for: their speed is measured once, on few layouts."""
 
 
 def merge_restarts(space: SearchSpace, at_once: int) -> SearchSpace:
@@ -42,11 +44,14 @@ def fit_budget(
     space: SearchSpace, generations: int, generation_s: float, layouts: int, left_s: float
 ) -> SearchSpace:
     """The search as asked for with joined runs of `generations`, or as many as half of the time
-    `left_s` of all trials allows where one of `layouts` takes `generation_s`; never fewer than asked
-    for."""
-    search = space.spec.search
-    fits = int(left_s / _SPARE / max(generation_s * layouts, 1e-9))
-    return _changed_space(space, polish_steps=min(generations, max(fits, search.polish_steps)))
+    `left_s` of all trials allows where one of `layouts` takes `generation_s`.
+
+    Where half holds fewer than asked for, all of the time is one run's: of as many as asked for, or as it
+    holds, at least one.
+    """
+    all_hold = max(left_s, 0.0) / max(generation_s * layouts, 1e-9)
+    fits = max(all_hold / _SPARE, min(space.spec.search.polish_steps, USED * all_hold))
+    return _changed_space(space, polish_steps=max(1, int(min(generations, fits))))
 
 
 def quick_space(space: SearchSpace, generation_s: float, seconds: float) -> SearchSpace:
@@ -59,9 +64,9 @@ def quick_space(space: SearchSpace, generation_s: float, seconds: float) -> Sear
 def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:
     """Return what becomes of the trials that are asked for, in words."""
     return (
-        f"{requested.trials} trials of {requested.polish_steps} generations are merged into "
-        f"{merged.trials} longer ones of {merged.polish_steps}, or as many as time allows, which usually "
-        "finds more"
+        f"instead of {requested.trials} trials of {requested.polish_steps} generations up to "
+        f"{merged.trials} longer ones of up to {merged.polish_steps}, which usually finds more; each is as "
+        "long as the time of this call holds"
     )
 
 

@@ -36,30 +36,42 @@ def run_search(
     first: Params | None = None,
     over: Callable[[], bool] = lambda: False,
     at_once: int = 1,
+    announce: Say | None = None,
 ) -> None:
     """Add trials until there are as many as asked for, or the time is `over` after a batch.
 
     A batch has `layouts_at_once`, scored in `at_once` places. `first` is tried first, alone, so that there is
-    something to look at soon.
+    something to look at soon. Why trials failed, and once that they have fewer generations than planned, goes
+    to `announce`, as `say` may leave out lines.
 
     Raises
     ------
     InputError
         Trials cannot be kept, or nothing but failures comes back.
     """
-    search, failed = space.spec.search, 0
+    search, failed, announce = space.spec.search, 0, announce or say
     together = layouts_at_once(search, at_once)
+    begun, cut = len(kept.trials), ""
     while (finished_count := len(kept.trials)) < search.trials:
-        alone = first is not None and not finished_count
+        # a call without any result yet, whatever failed before, tries the first layout once
+        alone = first is not None and finished_count == begun and not kept.finished
         count = 1 if alone else min(together, search.trials - finished_count)
-        starts = [
-            drawn_start(space, number, first)
-            for number in range(finished_count, finished_count + count)
-        ]
+        starts = (
+            [dict(first)]
+            if alone and first is not None
+            else [
+                drawn_start(space, number, first)
+                for number in range(finished_count, finished_count + count)
+            ]
+        )
         finished = _scored_batch(space, finished_count, starts, score, at_once)
         kept.keep(finished)
         for reason in sorted({trial.failure for trial in finished} - {""}):
-            say(f"no result, kept as failed: {reason}")
+            announce(f"no result, kept as failed: {reason}")
+        if not cut and not (alone and search.trials > 1):
+            cut = _describe_cut(finished, search)
+            if cut:
+                announce(cut)
         failed = _count_failed(finished, failed)
         say(_standing(kept, search))
         if over():
@@ -137,6 +149,17 @@ def _count_failed(finished: list[Trial], failed_before: int) -> int:
             f"{reasons[-1]}. Fix that, then go on with --resume"
         )
     return failed
+
+
+def _describe_cut(finished: Sequence[Trial], search: SearchSpec) -> str:
+    """Return that the time held fewer generations than planned, or nothing."""
+    had = [trial.generations for trial in finished if trial.generations]
+    if not had or min(had) >= search.polish_steps:
+        return ""
+    return (
+        f"a trial has {min(had)} generations, not {search.polish_steps}: as many as its time holds; more "
+        "search.seconds give more"
+    )
 
 
 def _standing(kept: KeptTrials, search: SearchSpec) -> str:

@@ -11,7 +11,7 @@ import time
 import zlib
 from collections.abc import Callable, Mapping
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from weakref import WeakValueDictionary
@@ -59,7 +59,8 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.joined import fit_budget, quick_space
+from instobj.search.joined import USED, fit_budget, quick_space
+from instobj.search.time_limit import FIRST_LOOK_S
 from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
@@ -67,9 +68,6 @@ _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
 _START_RATE = 0.01
 """Share of every variable's range: steps of the start's walk, short compared with what its limits leave."""
-FIRST_LOOK_S = 10.0
-"""Time of the runs of the specification's own layout, where others follow: with the start of the process and
-its walk about half a minute."""
 _START_STEPS = 300
 """At most: on a handle 200 found 0.928, 300 0.927 and 600 0.925 of the start's bound."""
 
@@ -82,7 +80,32 @@ _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = Weak
 """Press bases of scorers: structures that differ in single magnets' sizes share them, at tens of MB
 each."""
 
-Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
+_START_SHARE = 0.5
+"""Share of the start's time for its generations, the rest for its walk; of the
+time of all trials for the start."""
+
+
+@dataclass(frozen=True)
+class TimedTrials:
+    """Trials of one structure, which shall have a result by `ends_at`, as `time.time()`."""
+
+    trials: list[dict[str, Any]]
+    ends_at: float
+
+    def __len__(self) -> int:
+        """Return the number of trials."""
+        return len(self.trials)
+
+    @property
+    def left_s(self) -> float:
+        """Return the seconds that are left, `FIRST_LOOK_S` at least, where mechanics were slow to read.
+
+        Clocks of several machines agree within a second or so.
+        """
+        return max(self.ends_at - time.time(), FIRST_LOOK_S)
+
+
+Evaluate = Callable[[TimedTrials], list[Scored]]
 
 
 @dataclass(frozen=True)
@@ -96,15 +119,14 @@ class StartScores:
     counts_over_lowest: float
 
 
-def lowest_fidelity(question: tuple[str, int, float, float]) -> Evaluate:
+def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
-    Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
-    are left to all trials: fewer generations where that is short (`fit_budget`). The specification's own
-    layout has no more generations than fit into the last figure, seconds. On the device that
-    `INSTOBJ_DEVICE` names.
+    Of a specification as JSON, how many generations a trial has once trials are joined, fewer where time is
+    short (`fit_budget`), and seconds for those of the specification's own layout. Where these are finite,
+    other trials follow, and half of the time is kept for them. On the device that `INSTOBJ_DEVICE` names.
     """
-    content, generations, left_s, first_s = question
+    content, generations, first_s = question
     torch.set_num_threads(1)
     device = compute_device()
     space = search_space(parse_spec(json.loads(content), "the specification"))
@@ -112,27 +134,33 @@ def lowest_fidelity(question: tuple[str, int, float, float]) -> Evaluate:
         nullcontext() if device.type == "cpu" else device
     )  # a context that costs each call a little
     with device_context:
+        # the first structure shares the bases of these, which take longest to make
+        held = [*scorers(space.spec, single_faces(space.spec.body.sensed))]
         start = start_scores(space.spec)
     start_layout = start_params(space)
     by_structure: dict[Any, tuple[LowestFidelity, float, SearchSpace]] = {}
 
-    def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
+    def evaluate(timed: TimedTrials) -> list[Scored]:
+        trials, starting = timed.trials, timed.trials == [start_layout]
         structure = structure_of(space, trials[0])
         if structure not in by_structure:
-            lowest, generation_s, timed = structure_fidelity(space, trials[0], start), 0.0, space
+            lowest, generation_s, planned = structure_fidelity(space, trials[0], start), 0.0, space
+            held.clear()
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
-                require_in_time(space.spec.search, generation_s, len(trials))
-                timed = fit_budget(space, generations, generation_s, len(trials), left_s)
-            by_structure[structure] = lowest, generation_s, timed
-        lowest, generation_s, timed = by_structure[structure]
-        if trials == [start_layout]:
-            timed = quick_space(timed, generation_s, first_s)
-        return score_trials(timed, lowest, trials)
+                planned = fit_budget(space, generations, generation_s, len(trials), timed.left_s)
+            by_structure[structure] = lowest, generation_s, planned
+        lowest, generation_s, planned = by_structure[structure]
+        share = _START_SHARE if starting and np.isfinite(first_s) else 1.0
+        seconds = max(share * timed.left_s, FIRST_LOOK_S)
+        held_s = min(first_s, _START_SHARE * seconds) if starting else USED * seconds
+        if space.spec.search.polish_steps:
+            planned = quick_space(planned, generation_s * len(trials), held_s)
+        return score_trials(planned, lowest, trials, seconds)
 
-    def evaluate_there(trials: list[dict[str, Any]]) -> list[Scored]:
+    def evaluate_there(timed: TimedTrials) -> list[Scored]:
         with device_context:
-            return evaluate(trials)
+            return evaluate(timed)
 
     return evaluate_there
 
@@ -156,24 +184,6 @@ def seconds_per_generation(
             judge(lowest, units, poles, space.spec.search.objectives).objectives.cpu()
         taken.append(time.monotonic() - began)
     return min(taken) / size * population(free)
-
-
-def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
-    """Layouts that are improved together fit into `search.trial_limit_s`.
-
-    Raises
-    ------
-    InputError
-        They would take longer.
-    """
-    needed = generation_s * search.polish_steps * layouts
-    if needed > search.trial_limit_s:
-        fits = int(search.trial_limit_s / (generation_s * layouts))
-        raise InputError(
-            f"search.polish_steps = {search.polish_steps} generations of "
-            f"{layouts} layouts at once would take {needed:.0f} s, longer than "
-            f"{search.trial_limit_s:g} s. Set search.polish_steps to {fits} or less"
-        )
 
 
 def structure_fidelity(
@@ -263,13 +273,17 @@ def counts_over_lowest(spec: ObjectSpec) -> float:
 
 
 def score_trials(
-    space: SearchSpace, lowest: LowestFidelity, trials: list[dict[str, Any]]
+    space: SearchSpace,
+    lowest: LowestFidelity,
+    trials: list[dict[str, Any]],
+    seconds: float = np.inf,
 ) -> list[Scored]:
-    """Polish and score trials of one structure; deterministic.
+    """Polish and score trials of one structure; deterministic where `seconds` break nothing off.
 
     The specification's own layout also walks down the gradient: a run of generations crosses the whole
-    space and may not come back.
+    space and may not come back. Half of the time is kept for that.
     """
+    began = time.monotonic()
     spec, structured = space.spec, lowest.space.structured
     flags = [not v.choices for v in space.variables]
     units = np.array([unit_of(space, trial) for trial in trials])
@@ -284,9 +298,24 @@ def score_trials(
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     if spec.search.polish_steps and any(flags):
         weights, begin = _weights(units, spec), point
-        point = polish(judge_at, begin, spec.search.polish_steps, weights)
-        for row in _start_rows(space, units):
-            point[row] = _better(judge_at, row, (point[row], begin[row]), weights[row], spec.search)
+        start_rows = _start_rows(space, units)
+        polish_s = (_START_SHARE if start_rows else 1.0) * seconds
+        point = polish(
+            judge_at,
+            begin,
+            spec.search.polish_steps,
+            weights,
+            lambda: time.monotonic() - began >= polish_s,
+        )
+        for row in start_rows:
+            point[row] = _better(
+                judge_at,
+                row,
+                (point[row], begin[row]),
+                weights[row],
+                spec.search,
+                lambda: time.monotonic() - began >= seconds,
+            )
     with torch.no_grad():
         judged = judge_at(point, torch.arange(len(point)))
     units[:, flags] = point.cpu().numpy()
@@ -295,7 +324,8 @@ def score_trials(
         params = params_at(space, unit) | {
             v.name: trial[v.name] for v in space.variables if v.choices
         }
-        scored.append(_scored(spec, params, judged, row, int(scorings[row])))
+        result = _scored(spec, params, judged, row, int(scorings[row]))
+        scored.append(replace(result, generations=spec.search.polish_steps))
     return scored
 
 
@@ -313,15 +343,17 @@ def _better(
     points: tuple[torch.Tensor, torch.Tensor],
     weights: torch.Tensor,
     search: SearchSpec,
+    over: Callable[[], bool],
 ) -> torch.Tensor:
-    """The better of an end and of a walk from a beginning, both points of a trial."""
+    """The better of an end and of a walk from a beginning until the time is `over`, both points of a
+    trial."""
     end, begin = points
 
     def judged_at(point: torch.Tensor) -> Judged:
         return judge_at(point, torch.full((len(point),), row))
 
-    steps = min(search.polish_steps, _START_STEPS)
-    both = torch.cat([end[None], walk(judged_at, begin[None], weights, steps, _START_RATE)])
+    walked = walk(judged_at, begin[None], weights, _START_STEPS, _START_RATE, over)
+    both = torch.cat([end[None], walked])
     with torch.no_grad():
         return both[judged_at(both).loss(weights).nan_to_num(torch.inf).argmin()]
 

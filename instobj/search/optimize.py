@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -23,13 +24,13 @@ from instobj.commands.next_step import next_step
 from instobj.search.apart import answers
 from instobj.search.joined import describe_merge, merge_restarts
 from instobj.search.levels import Levels
-from instobj.search.loop import layouts_at_once, run_search
-from instobj.search.lowest_fidelity import FIRST_LOOK_S, lowest_fidelity
+from instobj.search.loop import Answer, layouts_at_once, run_search
+from instobj.search.lowest_fidelity import TimedTrials, lowest_fidelity
 from instobj.search.outcome.rows import promotion_tables
 from instobj.search.outcome.write import BEST, RESULTS, write_best, write_outcome
-from instobj.search.possible import require_possible
+from instobj.search.possible import limit_in_the_way, require_possible
 from instobj.search.promotion import Promoter, leaders
-from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
+from instobj.search.time_limit import FIRST_LOOK_S, TRIALS_SHARE, TimeLimit, trial_ends
 from instobj.search.trials import KeptTrials, open_trials
 from instobj.search.verdict import Promotion
 from instobj.stages.resources import search_seconds
@@ -83,9 +84,10 @@ def optimize(
             levels = Levels(folder / "rungs.json", say, others)
             promotion = Promoter(space, limit, levels).promote(kept)
     if promotion is None:
-        again = [*overrides, f"search.seconds={2 * limit.seconds:g}"]
+        kept_keys = [text for text in overrides if not text.startswith("search.seconds=")]
+        again = [*kept_keys, f"search.seconds={2 * limit.seconds:g}"]
         return nothing_better(
-            spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
+            space, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         ) | {"next": next_step("optimize again", path, out=out, overrides=again)}
     with progress.stage("report"):
         files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
@@ -105,7 +107,7 @@ def forces_plan(spec: ObjectSpec) -> str:
 
 
 def nothing_better(
-    spec: ObjectSpec,
+    space: SearchSpace,
     kept: KeptTrials,
     limit: TimeLimit,
     write: Callable[[ObjectSpec, str, str], Path],
@@ -115,17 +117,15 @@ def nothing_better(
     Raises
     ------
     InputError
-        Not even the start does.
+        Not even the start does; with the limit most in the way, or why trials failed.
     """
+    spec = space.spec
     (*_, start_trial), trials = (
         [None, *(trial for trial in kept.finished if trial.feasible)],
         kept.trials,
     )
     if start_trial is None:
-        raise InputError(
-            f"none of {len(trials)} trials keeps every limit. Raise search.trials and go on with "
-            "--resume, or loosen [search.limits]"
-        )
+        raise InputError(_describe_nothing(space, kept))
     verdict = (
         f"Nothing better was found in {limit.searching_s - limit.left_s:.0f} s of search: of "
         f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}). Give "
@@ -144,8 +144,28 @@ def nothing_better(
     }
 
 
+def _describe_nothing(space: SearchSpace, kept: KeptTrials) -> str:
+    """Return why no trial is a result, and what to do."""
+    trials, finished = kept.trials, kept.finished
+    if not finished:
+        return (
+            f"all {len(trials)} trials failed. The last reason: {trials[-1].failure}. Mend that, then go "
+            "on with --resume"
+        )
+    nearest = min(finished, key=lambda trial: (trial.broken_mm, bool(trial.misfit)))
+    way = nearest.misfit or limit_in_the_way(space, nearest.params)
+    failed = len(trials) - len(finished)
+    also = f" {failed} of them failed, the last because: {trials[-1].failure}." if failed else ""
+    return (
+        f"none of {len(trials)} trials keeps every limit.{also} Most in the way of the nearest, trial "
+        f"{nearest.number}: {way}. Raise search.trials and search.seconds and go on with --resume, or loosen "
+        "[search.limits]"
+    )
+
+
 def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
-    """Write the best trial so far, which only the lowest level knows, or the start; where, in words.
+    """Write the best trial so far, which only the lowest level knows, or the start; where, and what else is
+    kept, in words.
 
     What an earlier call took to higher levels stays.
     """
@@ -157,7 +177,13 @@ def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path
         said = "by the lowest fidelity level alone"
     if not (folder / RESULTS).is_file():
         write_best(layout, about, space.spec.name, folder, beside)
-    return f" The best so far, {said}, is {folder / BEST}."
+    ended = len(kept.trials)
+    what = (
+        f"Trials ({ended}), finished stages and scored layouts are kept"
+        if ended
+        else "No trial has ended; the mechanics made so far are kept"
+    )
+    return f" The best so far, {said}, is {folder / BEST}. {what}."
 
 
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
@@ -217,14 +243,22 @@ def _search(
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
+    # a trial in less time than it has at least would end after the trials' time
+    shortest_s = FIRST_LOOK_S if requested.polish_steps else 0.0
+
     def keep_and_stop() -> bool:
         keep_best()
-        return left_s() <= 0
+        return left_s() <= shortest_s
 
-    first_s = FIRST_LOOK_S if space.spec.search.trials > 1 else left_s()
-    question = (content, space.spec.search.polish_steps, left_s(), first_s)
-    with answers(lowest_fidelity, question, workers, waiting) as score, progress.stage("search"):
-        run_search(space, kept, score, say, first, keep_and_stop, workers.count)
+    first_s = FIRST_LOOK_S if space.spec.search.trials > 1 else inf
+    question = (content, space.spec.search.polish_steps, first_s)
+    with answers(lowest_fidelity, question, workers, waiting) as ask, progress.stage("search"):
+
+        def score(questions: list[list[dict[str, Any]]], seconds: float) -> list[Answer]:
+            ends = trial_ends(len(questions), workers.count, left_s(), seconds)
+            return ask([*map(TimedTrials, questions, ends)], seconds)
+
+        run_search(space, kept, score, say, first, keep_and_stop, workers.count, progress.say)
 
 
 def _document(

@@ -21,6 +21,11 @@ _CHAINS = 2
 """The start and a finalist."""
 _QUICKER = 2.0
 """Than estimated, at most: estimates hold within half to twice."""
+FIRST_LOOK_S = 10.0
+"""Time of the generations of the specification's own layout, where other trials follow, and of any trial at
+least."""
+_TRIAL_SHARE = 0.9
+"""Share of the time after which a trial is given up: the rest is for reading its mechanics."""
 _SHORTEST_S = 1e-3
 """Time of a timer, at least: 0 would switch it off."""
 
@@ -99,7 +104,7 @@ class TimeLimit:
     @contextmanager
     def enforced(self, first_look: Callable[[], str] = lambda: "") -> Iterator[None]:
         """Break off what runs in here when the time is spent; `first_look` then keeps the best so far, and
-        says where.
+        says where and what else is kept.
 
         Work in compiled code ends first: a factorization of the default mesh takes seconds. Work that
         can be left out catches `TimeSpent`, once. On systems without interval timers (Windows) nothing
@@ -121,12 +126,25 @@ class TimeLimit:
         except TimeSpent:
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
-                f"was a result.{first_look()} Trials, finished stages and scored layouts are kept: go "
-                "on with --resume, and with more search.seconds"
+                f"was a result.{first_look()} Go on with --resume, and with more search.seconds"
             ) from None
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, previous_handler)
+
+
+def trial_ends(questions: int, at_once: int, left_s: float, most_s: float) -> list[float]:
+    """Return when answers to that number of questions shall be there, as `time.time()`.
+
+    As many as `at_once` are answered side by side.
+
+    They share `left_s`, what is left to all trials, evenly; each has `FIRST_LOOK_S` at least, and ends before
+    it is given up after `most_s`.
+    """
+    turns = [1 + index // at_once for index in range(questions)]
+    each_s = min(max(left_s / max(turns), FIRST_LOOK_S), _TRIAL_SHARE * most_s)
+    now = time.time()
+    return [now + turn * each_s for turn in turns]
 
 
 def _describe_seconds(seconds: float) -> str:

@@ -29,7 +29,8 @@ class Scored:
     """Outcome of a trial: its polished variables, values to minimise and scores.
 
     `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
-    `scorings` are the layouts that were scored for it.
+    `scorings` are the layouts that were scored for it, `generations` the length of its run, 0 where
+    an earlier version kept the trial.
     """
 
     params: dict[str, Any]
@@ -38,6 +39,7 @@ class Scored:
     broken_mm: float
     misfit: str
     scorings: int
+    generations: int = field(default=0, kw_only=True)
 
     @property
     def feasible(self) -> bool:

@@ -66,7 +66,11 @@ def test_choices_processes_and_fronts_keep_their_runs(search, at_once, became):
         (0.5, 2, 1014.0, 507),
         (2.0, 1, 32000.0, 600),  # a joined run may take as long as the trials that it stands for
         (0.1, 1, 75.2, 376),  # half of what is left to trials
-        (0.1, 1, -3.0, 300),  # as asked for, whatever that takes
+        (0.1, 1, 40.0, 300),  # as asked for, in more than half of it
+        (1.0, 1, 100.0, 90),  # less than asked for: what all of it holds, with a tenth to spare
+        (4.0, 5, 100.0, 4),
+        (4.0, 1, 1.0, 1),
+        (0.1, 1, -3.0, 1),
         (0.0, 1, 20.0, 600),
     ],
 )
@@ -89,7 +93,8 @@ def test_what_became_of_the_trials_is_said():
     said = describe_merge(
         SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600)
     )
-    assert "24 trials of 300 generations are merged into 12 longer ones of 600" in said
+    assert "instead of 24 trials of 300 generations up to 12 longer ones of up to 600" in said
+    assert "the time of this call holds" in said
 
 
 def test_a_batch_has_a_layout_for_each_process_and_more_where_they_go_on_side_by_side(monkeypatch):

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from design.search.space import structure_of
 from design.spec_io import parse_spec
 from instobj.search.apart import WorkerTimeout, answers
 from instobj.search.loop import drawn_start, run_search
-from instobj.search.trials import open_trials
+from instobj.search.trials import failed_trial, open_trials
 from instobj.stages.workers import open_workers
 from tests.support.objects.search_cases import (
     answering,
@@ -234,6 +235,36 @@ def test_the_specification_s_own_layout_is_looked_at_first_and_alone(tmp_path):
     assert kept_then == [1, 17, 20]
     assert sizes[0] == 1
     assert kept.trials[0].params == first
+
+
+def test_a_first_layout_that_failed_is_tried_again_once_in_the_next_call(tmp_path):
+    space, path = made_up_space(trials=8), tmp_path / "trials.jsonl"
+    first = dict(drawn_start(space, 20))
+    kept = open_trials(space.spec, path)
+    kept.keep([failed_trial(0, first, "no result after 900 s")])
+    kept = open_trials(space.spec, path, resume=True)
+    run_search(space, kept, answering(made_up_score), lambda line: None, first)
+    assert [trial.params for trial in kept.trials].count(first) == 2
+    assert kept.trials[1].params == first
+    assert kept.trials[1].feasible
+    assert len(kept.trials) == 8
+
+
+def test_generations_that_the_time_did_not_hold_are_said_once(tmp_path):
+    space, said = made_up_space(trials=4, polish_steps=300), []
+
+    def short(trials, seconds):
+        made = made_up_score(trials, seconds)
+        return [replace(one, generations=57) for one in made]
+
+    path = tmp_path / "trials.jsonl"
+    kept = open_trials(space.spec, path)
+    run_search(space, kept, answering(short), said.append, drawn_start(space, 0))
+    (line,) = [line for line in said if "57 generations, not 300" in line]
+    assert said.index(line) == 1, "not of the start's first look"
+    lines = path.read_text().replace(', "generations": 57', "")
+    path.write_text(lines)
+    assert [t.generations for t in open_trials(space.spec, path, True).trials] == [0] * 4
 
 
 def test_why_trials_have_no_result_is_said(tmp_path):

@@ -1,5 +1,6 @@
-"""Trials at the lowest fidelity level: refused at once where they cannot end in time."""
+"""Trials at the lowest fidelity level: each ends in its time, and does not fail for want of it."""
 
+import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -7,7 +8,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
 from design.search.space import params_at, search_space, start_params
 from design.search.structure import with_structure
 from design.spec.search import OVER_LIMIT, SearchSpec
@@ -19,32 +19,34 @@ from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity
-from instobj.search.lowest_fidelity import (
-    counts_over_lowest,
-    require_in_time,
-    score_trials,
-)
+from instobj.search.lowest_fidelity import TimedTrials, counts_over_lowest, score_trials
+from instobj.search.time_limit import FIRST_LOOK_S, trial_ends
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 FACE, STEPS = 3, 12
 
 
-@pytest.mark.parametrize(("steps", "layouts", "fits"), [(300, 1, 100), (60, 5, 20)])
-def test_trials_that_cannot_end_in_time_are_refused_with_values_that_can(steps, layouts, fits):
-    def require(steps):
-        require_in_time(SearchSpec(polish_steps=steps), 9.0, layouts)
+@pytest.mark.parametrize(
+    ("questions", "at_once", "left_s", "ends"),
+    [
+        (1, 1, 60.0, [60]),
+        (3, 1, 60.0, [20, 40, 60]),
+        (3, 2, 60.0, [30, 30, 60]),
+        (1, 1, 5000.0, [900]),  # before it is given up
+        (2, 1, -30.0, [FIRST_LOOK_S, 2 * FIRST_LOOK_S]),
+    ],
+)
+def test_trials_share_the_time_that_is_left(questions, at_once, left_s, ends):
+    now = time.time()
+    made = trial_ends(questions, at_once, left_s, 1000.0)
+    assert_allclose(np.array(made) - now, ends, atol=1.0)
 
-    with pytest.raises(InputError, match=rf"search.polish_steps to {fits} or less$"):
-        require(steps)
-    require(fits)
-    require(0)
 
-
-def test_the_start_walks_to_a_layout_that_is_better_and_keeps_its_limits():
-    """Beside generations too few to find much; other trials walk nowhere."""
+def made_up_search(steps):
+    """The specification of a search, its lowest level, and what its start scores there."""
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0]}
-    search = SearchSpec.model_validate({"vary": vary, "polish_steps": STEPS})
+    search = SearchSpec.model_validate({"vary": vary, "polish_steps": steps})
     spec = made_up_spec().model_copy(update={"search": search})
     scorers = (layout_scorer(spec, press_basis(spec, made_up_motions(spec), FACE)),)
     before = {
@@ -52,10 +54,46 @@ def test_the_start_walks_to_a_layout_that_is_better_and_keeps_its_limits():
         for name, one in batch_scores(scorers, [layouts_of(spec, FACE)], ()).items()
     }
     space = search_space(spec)
+    tensors = layout_space(space, with_structure(spec, start_params(space)))
+    return space, LowestFidelity(tensors, scorers, {OVER_LIMIT: before[OVER_LIMIT]}), before
+
+
+@pytest.mark.parametrize("first_s", [FIRST_LOOK_S, np.inf])
+def test_trials_too_long_for_their_time_are_cut_to_it_and_better_than_the_start(
+    monkeypatch, first_s
+):
+    """Every generation takes so long that those asked for would take many minutes; each trial has
+    `FIRST_LOOK_S` at least, though reading its mechanics took all of its time."""
+    space, lowest, before = made_up_search(steps=300)
+    fast = lowest_fidelity.judge
+
+    def slow(*args):
+        time.sleep(0.05)
+        return fast(*args)
+
+    monkeypatch.setattr(lowest_fidelity, "judge", slow)
+    monkeypatch.setattr(lowest_fidelity, "scorers", lambda spec, faces: ())
+    monkeypatch.setattr(lowest_fidelity, "start_scores", lambda spec: None)
+    monkeypatch.setattr(lowest_fidelity, "structure_fidelity", lambda *args: lowest)
+    monkeypatch.setattr(lowest_fidelity, "seconds_per_generation", lambda *args: 0.5)
+    content = space.spec.model_dump_json()
+    evaluate = lowest_fidelity.lowest_fidelity((content, 600, first_s))
+    start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
+    began = time.monotonic()
+    (walked,) = evaluate(TimedTrials([start], time.time() + 3.0))
+    (cut,) = evaluate(TimedTrials([other], time.time() - 1.0))
+    assert time.monotonic() - began < 2 * FIRST_LOOK_S + 4.0
+    assert 0 < walked.generations < 20
+    assert 0 < cut.generations < 20
+    assert (walked.broken_mm, walked.misfit) == (0.0, "")
+    assert walked.values[0] < before["worst_position_bound_mm"]
+
+
+def test_the_start_walks_to_a_layout_that_is_better_and_keeps_its_limits():
+    """Beside generations too few to find much; other trials walk nowhere."""
+    space, lowest, before = made_up_search(STEPS)
     start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
     assert start is not None
-    tensors = layout_space(space, with_structure(spec, start))
-    lowest = LowestFidelity(tensors, scorers, {OVER_LIMIT: before[OVER_LIMIT]})
     walked, alone = score_trials(space, lowest, [start, other])
     assert (walked.broken_mm, walked.misfit) == (0.0, "")
     assert walked.values[0] < 0.95 * before["worst_position_bound_mm"]

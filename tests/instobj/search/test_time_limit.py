@@ -13,12 +13,12 @@ from design.search.space import search_space, start_params
 from design.spec_io import load_spec, parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search.levels import LEVELS, Level, Levels
-from instobj.search.loop import run_search
+from instobj.search.loop import drawn_start, run_search
 from instobj.search.optimize import best_so_far, nothing_better
 from instobj.search.outcome.write import write_best
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TimeLimit, TimeSpent
-from instobj.search.trials import Scored, open_trials
+from instobj.search.trials import KeptTrials, Scored, Trial, failed_trial, open_trials
 from instobj.search.verdict import FIRST, LAST, SECOND
 from instobj.stages.workers import Here
 from tests.support.objects.search_cases import answering, made_up_score, made_up_space, searched
@@ -88,7 +88,7 @@ def test_time_that_holds_no_result_were_all_twice_as_quick_is_refused_with_what_
 
 def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
     with (
-        pytest.raises(InputError, match=r"a result\. It is in best\.toml\. Trials"),
+        pytest.raises(InputError, match=r"a result\. It is in best\.toml\. Go on with --resume"),
         TimeLimit(0.01).enforced(lambda: " It is in best.toml."),
     ):
         time.sleep(5)
@@ -220,9 +220,12 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
 
     run_search(space, kept, answering(score), lambda line: None, start)
     assert len(leaders(space, kept, 5)) == (beside_mm == 1.0)
+    none = best_so_far(space, KeptTrials(tmp_path / "none"), tmp_path / "none", tmp_path)
+    assert "No trial has ended; the mechanics made so far are kept" in none
     said = best_so_far(space, kept, tmp_path / "search", tmp_path)
     path = tmp_path / "search" / "best.toml"
     assert str(path) in said
+    assert "Trials (1), finished stages" in said
     assert ("began with" in said) == (beside_mm < 1.0)
     x_mm = 8.0 if beside_mm < 1.0 else 7.0
     assert load_spec(path).magnets.positions_mm[0] == (x_mm, 8.0)
@@ -231,7 +234,7 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         levels = Levels(tmp_path / "rungs.json", lambda line: None)
         assert Promoter(space, limit, levels).promote(kept) is None
         write = partial(write_best, folder=tmp_path / "search", beside=tmp_path)
-        document = nothing_better(spec, kept, limit, write)
+        document = nothing_better(space, kept, limit, write)
         assert load_spec(path).magnets == spec.magnets, "the best so far is the start"
         assert document["verdict"].startswith("Nothing better was found in 0 s of search")
         assert (
@@ -239,6 +242,29 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         )
         assert len(document["tables"]) == 1
         assert not document["better"]
+
+
+def test_without_a_result_the_error_says_why_trials_failed_or_which_limit_is_in_the_way(tmp_path):
+    space, limit = made_up_space(trials=60), TimeLimit(900)
+    kept = open_trials(space.spec, tmp_path / "trials.jsonl")
+    params = dict(drawn_start(space, 1))
+    why = "the process that worked on it died (exit code -9)"
+    kept.keep([failed_trial(0, dict(drawn_start(space, 0)), "no result after 900 s")])
+    kept.keep([failed_trial(1, params, why)])
+
+    def refused():
+        with pytest.raises(InputError) as error:
+            nothing_better(space, kept, limit, lambda *args: tmp_path)
+        return str(error.value)
+
+    assert f"all 2 trials failed. The last reason: {why}" in refused()
+    assert "limit" not in refused()
+    kept.keep([Trial(params, (2.0,), {}, 3.0, "", 1, 2)])
+    several = refused()
+    assert "none of 3 trials keeps every limit. 2 of them failed, the last because" in several
+    assert "Most in the way of the nearest, trial 2: " in several
+    kept.keep([Trial(params, (2.0,), {}, 0.0, "cannot be fabricated: seal", 1, 3)])
+    assert "trial 3: cannot be fabricated: seal" in refused()
 
 
 def test_with_time_enough_everyone_asked_for_is_scored(promoted):
