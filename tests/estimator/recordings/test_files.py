@@ -106,7 +106,7 @@ def test_swapped_columns(tmp_path, good_text):
 def test_additional_column(tmp_path, good_text):
     rows = [row + ",1" for row in good_text.splitlines()]
     (tmp_path / "a.csv").write_text("\n".join(rows))
-    assert "53 columns" in message(tmp_path / "a.csv")
+    assert "columns that are not known: '1'" in message(tmp_path / "a.csv")
 
 
 def test_no_press_and_no_rest(tmp_path):

@@ -212,7 +212,7 @@ def test_block_magnets_that_turn_take_their_sides_along(gap_mm):
 
 
 def test_a_moving_sensor_feels_a_stray_magnet_where_it_is():
-    stray = {"position_mm": [60, -10, 20], "diameter_mm": 12, "height_mm": 6, "remanence_t": 1.3}
+    stray = {"position_mm": [60, -10, 20], "size_mm": [12, 6], "remanence_t": [0, 0, 1.3]}
     spec = REVERSE.changed(environment=REVERSE.environment.changed(magnets=[stray]))
     place, bare = scene(spec), scene(REVERSE)
     model = FieldModel(magnet_source(spec.magnets), "exact")
