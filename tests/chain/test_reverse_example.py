@@ -35,8 +35,9 @@ def test_the_reverse_cube_is_built_simulated_and_scored(tmp_path):
         done = run(command, spec, *overrides, "--json", cwd=tmp_path)
         assert done.returncode == 0, done.stderr
     (result,) = json.loads(done.stdout)["objects"]
-    (areas,) = (rows for title, rows in result["summary"].items() if title.startswith("bounds"))
-    assert len(areas) >= 2
+    (scores,) = (rows for title, rows in result["summary"].items() if title.startswith("scores"))
+    assert len(scores) >= 2
+    assert result["summary"]["verdict"].keys() & {"GO", "NO-GO"}
     with xr.open_dataset(tmp_path / "runs" / "reverse_cube" / "signals.nc") as data:
         delta, face = data.delta_counts.values, data.sensor_face.values
     own = np.stack([abs(delta[index][:, :, face == index + 1]).max() for index in range(5)])
