@@ -18,10 +18,11 @@ from design.spec.base import (
     SpecPart,
 )
 
-EarthField = Annotated[float, Field(ge=0, le=100)]
+EarthSize = Annotated[float, Field(ge=0, le=100)]
+"""Size of Earth's field, µT."""
 EarthPart = Annotated[float, Field(ge=-100, le=100)]
 """Component of Earth's field, µT."""
-Polarity = Annotated[float, Field(ge=-2, le=2)]
+RemanencePart = Annotated[float, Field(ge=-2, le=2)]
 """Component of a remanence, T; the strongest magnets that are sold have 1.55."""
 Place = tuple[Coordinate, Coordinate, Coordinate]
 Direction = tuple[Component, Component, Component]
@@ -33,7 +34,7 @@ class StrayMagnetSpec(SpecPart):
 
     position_mm: Place
     size_mm: tuple[Length, Length] = (10.0, 5.0)
-    remanence_t: tuple[Polarity, Polarity, Polarity] = (0.0, 0.0, 1.3)
+    remanence_t: tuple[RemanencePart, RemanencePart, RemanencePart] = (0.0, 0.0, 1.3)
 
     @model_validator(mode="after")
     def _remanence_points_somewhere(self) -> StrayMagnetSpec:
@@ -68,7 +69,7 @@ class EnvironmentSpec(SpecPart):
     orientation is then drawn with the specification's seed.
     """
 
-    earth_ut: EarthField | tuple[EarthPart, EarthPart, EarthPart] = 0.0
+    earth_ut: EarthSize | tuple[EarthPart, EarthPart, EarthPart] = 0.0
     magnets: tuple[StrayMagnetSpec, ...] = ()
     steel_plates: tuple[SteelPlateSpec, ...] = ()
 

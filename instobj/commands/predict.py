@@ -215,11 +215,12 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
         require_writable_folder(folder)  # before estimators are loaded, which takes seconds
     for path, target in targets.items():
         _export(path, target)
-    document = {"command": "export", "files": file_rows(list(targets.values()))}
+    document: dict[str, Any] = {"command": "export", "files": file_rows([*targets.values()])}
     first, exported = next(iter(targets.items()))
-    # a data set lies beside estimators that were trained on it
-    frames = first.parent / FRAMES.name
-    return document | ({"next": next_step("export", exported, frames)} if frames.is_file() else {})
+    # the data set on which an estimator was trained lies in its folder
+    if (frames := first.parent / FRAMES.name).is_file():
+        document["next"] = next_step("export", exported, frames)
+    return document
 
 
 def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:

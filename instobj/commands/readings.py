@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
@@ -159,21 +159,26 @@ def recorded_frames(
                 "rest does not show. Take the repeated rows out (was it logged faster than the sensors "
                 "answer?), or take --zero first"
             )
-        if zeroing.mode == "first":
-            why = f"none after the first {zeroing.frames}, which give the zero"
-            remedy = "Take fewer frames as rest (--zero first:5)"
-        else:
-            why = f"and never {zeroing.frames} at rest on end, which give the zero"
-            remedy = "Take the first frames as rest (--zero first), touch nothing for a second before presses"
-        raise InputError(
-            f"{path} holds {len(raw)} frames, {why}{''.join('; ' + text for text in texts)}. {remedy} or, "
-            "for signals that are changes already, take --zero none"
-        )
+        raise InputError(no_zero_text(path, len(raw), zeroing, texts))
     return [
         (number, float(time_s[number]), result)
         for number, (was_read, result) in enumerate(results)
         if was_read
     ]
+
+
+def no_zero_text(path: Path, frames: int, zeroing: Zeroing, texts: Sequence[str]) -> str:
+    """Say why no frame of a file gives a zero, and what to do; `texts` say what was left out."""
+    if zeroing.mode == "first":
+        why = f"none after the first {zeroing.frames}, which give the zero"
+        remedy = "Take fewer frames as rest (--zero first:5)"
+    else:
+        why = f"and never {zeroing.frames} at rest on end, which give the zero"
+        remedy = "Take the first frames as rest (--zero first), touch nothing for a second before presses"
+    return (
+        f"{path} holds {frames} frames, {why}{''.join('; ' + text for text in texts)}. {remedy} or, for "
+        "signals that are changes already, take --zero none"
+    )
 
 
 def lacks_readings(

@@ -18,7 +18,6 @@ from instobj.commands.data_set import (
     work_through,
 )
 from instobj.commands.next_step import next_step
-from instobj.report.summary import NETWORKS_TITLE
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import TWIN, file_rows, require_writable, run_folder
@@ -135,6 +134,7 @@ def run_on_data_set(
     """
     from estimator.frames.dataset import load_frames
     from estimator.frames.splits import split_presses
+    from instobj.report.summary import NETWORKS_TITLE  # loads mechanics
     from instobj.stages.makers.learning import (
         Fitting,
         evaluate_networks,

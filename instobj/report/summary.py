@@ -286,7 +286,7 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _networks_in_short(result: StoredResult) -> dict[str, str]:
-    """Say for each face how far networks err, which simple regression errs surely less, and where not."""
+    """Say for each face how far its network errs, and which simple regression surely errs less."""
     rows, lines = METRICS.read(result.folder)["baselines"], {}
     for model in (row for row in rows if row["name"] == "model"):
         text = _errors_text(model)

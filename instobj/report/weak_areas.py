@@ -44,7 +44,7 @@ def weak_areas_section(folder: Path) -> dict[str, Any]:
     }
 
 
-EDGES_ARE_WEAK_FROM = 1.5
+_WEAK_FROM = 1.5
 """Edge ratio from which edges are called weak: half as uncertain again as the middle; ours."""
 
 
@@ -58,7 +58,7 @@ def edge_text(content: dict[str, Any]) -> str:
     if isinf(ratio):
         text = "the middle is located, the edges are not"
     elif times > 1:
-        judged = "weak" if times >= EDGES_ARE_WEAK_FROM else "not weak"
+        judged = "weak" if times >= _WEAK_FROM else "not weak"
         text = f"{judged}, {times:g} times as uncertain as the middle"
     elif times < 1:
         text = f"less uncertain than the middle ({times:g} times)"

@@ -6,17 +6,21 @@ Measured over run lengths, seeds and tasks by `benchmarks/search_engines.py`.
 from __future__ import annotations
 
 from dataclasses import replace
-from math import prod
+from math import isfinite, prod
 
 from design.search.space import SearchSpace
 from design.spec.search import SearchSpec
+from instobj.search.time_limit import FIRST_LOOK_S
 
 _LONGEST = 600
 """Generations that one run gains by, seen on the paper's cube; more were not tried."""
 _SPARE = 2.0
 """A joined run shall take half of the time at most that is left to all trials."""
-USED = 0.9
+_USED = 0.9
 """Share of a trial's time that generations are planned for: their speed is measured once, on few layouts."""
+START_SHARE = 0.5
+"""Share of the start's time for its generations, the rest for its walk; and of the time of all trials for
+the start, where others follow."""
 
 
 def merge_restarts(space: SearchSpace, at_once: int) -> SearchSpace:
@@ -50,7 +54,7 @@ def fit_budget(
     holds, at least one.
     """
     all_hold = max(left_s, 0.0) / max(generation_s * layouts, 1e-9)
-    fits = max(all_hold / _SPARE, min(space.spec.search.polish_steps, USED * all_hold))
+    fits = max(all_hold / _SPARE, min(space.spec.search.polish_steps, _USED * all_hold))
     return _changed_space(space, polish_steps=max(1, int(min(generations, fits))))
 
 
@@ -59,6 +63,23 @@ def quick_space(space: SearchSpace, generation_s: float, seconds: float) -> Sear
     fits = int(seconds / max(generation_s, 1e-9))
     steps = space.spec.search.polish_steps
     return _changed_space(space, polish_steps=min(steps, max(fits, 1)))
+
+
+def plan_trial(
+    space: SearchSpace, generation_s: float, left_s: float, first_s: float | None = None
+) -> tuple[SearchSpace, float]:
+    """Return the search with no more generations than a trial's time holds, and that time, s.
+
+    The specification's own layout has `first_s` for its generations at most, infinite where no other trial
+    follows; None: another layout.
+    """
+    seconds = left_s
+    if first_s is not None and isfinite(first_s):
+        seconds = max(START_SHARE * left_s, FIRST_LOOK_S)
+    planned_s = _USED * seconds if first_s is None else min(first_s, START_SHARE * seconds)
+    if space.spec.search.polish_steps:
+        space = quick_space(space, generation_s, planned_s)
+    return space, seconds
 
 
 def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:

@@ -54,21 +54,17 @@ def run_search(
     begun, cut = len(kept.trials), ""
     while (finished_count := len(kept.trials)) < search.trials:
         # a call without any result yet, whatever failed before, tries the first layout once
-        alone = first is not None and finished_count == begun and not kept.finished
-        count = 1 if alone else min(together, search.trials - finished_count)
-        starts = (
-            [dict(first)]
-            if alone and first is not None
-            else [
-                drawn_start(space, number, first)
-                for number in range(finished_count, finished_count + count)
-            ]
-        )
+        alone = first if finished_count == begun and not kept.finished else None
+        if alone is not None:
+            starts = [dict(alone)]
+        else:
+            numbers = range(finished_count, min(finished_count + together, search.trials))
+            starts = [drawn_start(space, number, first) for number in numbers]
         finished = _scored_batch(space, finished_count, starts, score, at_once)
         kept.keep(finished)
         for reason in sorted({trial.failure for trial in finished} - {""}):
             announce(f"no result, kept as failed: {reason}")
-        if not cut and not (alone and search.trials > 1):
+        if not cut and (alone is None or search.trials == 1):
             cut = _describe_cut(finished, search)
             if cut:
                 announce(cut)

@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 import time
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from weakref import WeakValueDictionary
@@ -35,7 +35,7 @@ from design.search.space import (
 from design.search.structure import size_variants, with_structure
 from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
-from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from design.spec_io import parse_spec
 from estimator.field.device import compute_device
 from estimator.layouts.batch import layouts_of
@@ -43,6 +43,7 @@ from estimator.layouts.batch_scores import (
     DEARER,
     batch_scores,
 )
+from estimator.layouts.limits.rules import RULES
 from estimator.layouts.polish import (
     Judge,
     Judged,
@@ -59,7 +60,7 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.joined import USED, fit_budget, quick_space
+from instobj.search.joined import START_SHARE, fit_budget, plan_trial
 from instobj.search.time_limit import FIRST_LOOK_S
 from instobj.search.trials import Scored
 from instobj.stages.run import Run
@@ -79,10 +80,6 @@ their own figure."""
 _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
 """Press bases of scorers: structures that differ in single magnets' sizes share them, at tens of MB
 each."""
-
-_START_SHARE = 0.5
-"""Share of the start's time for its generations, the rest for its walk; of the
-time of all trials for the start."""
 
 
 @dataclass(frozen=True)
@@ -151,11 +148,9 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
                 planned = fit_budget(space, generations, generation_s, len(trials), timed.left_s)
             by_structure[structure] = lowest, generation_s, planned
         lowest, generation_s, planned = by_structure[structure]
-        share = _START_SHARE if starting and np.isfinite(first_s) else 1.0
-        seconds = max(share * timed.left_s, FIRST_LOOK_S)
-        held_s = min(first_s, _START_SHARE * seconds) if starting else USED * seconds
-        if space.spec.search.polish_steps:
-            planned = quick_space(planned, generation_s * len(trials), held_s)
+        planned, seconds = plan_trial(
+            planned, generation_s * len(trials), timed.left_s, first_s if starting else None
+        )
         return score_trials(planned, lowest, trials, seconds)
 
     def evaluate_there(timed: TimedTrials) -> list[Scored]:
@@ -299,7 +294,7 @@ def score_trials(
     if spec.search.polish_steps and any(flags):
         weights, begin = _weights(units, spec), point
         start_rows = _start_rows(space, units)
-        polish_s = (_START_SHARE if start_rows else 1.0) * seconds
+        polish_s = (START_SHARE if start_rows else 1.0) * seconds
         point = polish(
             judge_at,
             begin,
@@ -313,19 +308,17 @@ def score_trials(
                 row,
                 (point[row], begin[row]),
                 weights[row],
-                spec.search,
                 lambda: time.monotonic() - began >= seconds,
             )
     with torch.no_grad():
         judged = judge_at(point, torch.arange(len(point)))
     units[:, flags] = point.cpu().numpy()
-    scored = []
+    scored, limits = [], [*RULES, *lowest.at_most]
     for row, (unit, trial) in enumerate(zip(units, trials, strict=True)):
         params = params_at(space, unit) | {
             v.name: trial[v.name] for v in space.variables if v.choices
         }
-        result = _scored(spec, params, judged, row, int(scorings[row]))
-        scored.append(replace(result, generations=spec.search.polish_steps))
+        scored.append(_scored(spec, params, judged, row, limits, int(scorings[row])))
     return scored
 
 
@@ -342,11 +335,9 @@ def _better(
     row: int,
     points: tuple[torch.Tensor, torch.Tensor],
     weights: torch.Tensor,
-    search: SearchSpec,
     over: Callable[[], bool],
 ) -> torch.Tensor:
-    """The better of an end and of a walk from a beginning until the time is `over`, both points of a
-    trial."""
+    """Return the better of a trial's end and of a walk from its beginning, until the time is `over`."""
     end, begin = points
 
     def judged_at(point: torch.Tensor) -> Judged:
@@ -359,15 +350,23 @@ def _better(
 
 
 def _scored(
-    spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int, scorings: int
+    spec: ObjectSpec,
+    params: dict[str, Any],
+    judged: Judged,
+    row: int,
+    limits: Sequence[str],
+    scorings: int,
 ) -> Scored:
-    broken, misfit = float(judged.broken_mm[row]), ""
-    if broken == 0:
-        misfit = misfit_of(spec, params)
-    worse = 1 + _UNFIT_MM * bool(misfit)
+    """Outcome of one layout; `limits` name what `judged.broken` holds."""
+    broken, worse = float(judged.broken_mm[row]), 1.0
+    if broken > 0:
+        misfit = f"the limit of {limits[int(judged.broken[row].argmax())]}"
+    elif misfit := misfit_of(spec, params):
+        worse += _UNFIT_MM
     values = tuple(worse * float(value) for value in judged.penalized[row])
     scores = {name: float(value[row]) for name, value in judged.scores.items()}
-    return Scored(params, values, scores, broken, misfit, scorings)
+    steps = spec.search.polish_steps
+    return Scored(params, values, scores, broken, misfit, scorings, generations=steps)
 
 
 def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:

@@ -28,7 +28,7 @@ from instobj.search.loop import Answer, layouts_at_once, run_search
 from instobj.search.lowest_fidelity import TimedTrials, lowest_fidelity
 from instobj.search.outcome.rows import promotion_tables
 from instobj.search.outcome.write import BEST, RESULTS, write_best, write_outcome
-from instobj.search.possible import limit_in_the_way, require_possible
+from instobj.search.possible import require_possible
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import FIRST_LOOK_S, TRIALS_SHARE, TimeLimit, trial_ends
 from instobj.search.trials import KeptTrials, open_trials
@@ -87,7 +87,7 @@ def optimize(
         kept_keys = [text for text in overrides if not text.startswith("search.seconds=")]
         again = [*kept_keys, f"search.seconds={2 * limit.seconds:g}"]
         return nothing_better(
-            space, kept, limit, partial(write_best, folder=folder, beside=path.parent)
+            spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         ) | {"next": next_step("optimize again", path, out=out, overrides=again)}
     with progress.stage("report"):
         files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
@@ -107,7 +107,7 @@ def forces_plan(spec: ObjectSpec) -> str:
 
 
 def nothing_better(
-    space: SearchSpace,
+    spec: ObjectSpec,
     kept: KeptTrials,
     limit: TimeLimit,
     write: Callable[[ObjectSpec, str, str], Path],
@@ -119,13 +119,12 @@ def nothing_better(
     InputError
         Not even the start does; with the limit most in the way, or why trials failed.
     """
-    spec = space.spec
     (*_, start_trial), trials = (
         [None, *(trial for trial in kept.finished if trial.feasible)],
         kept.trials,
     )
     if start_trial is None:
-        raise InputError(_describe_nothing(space, kept))
+        raise InputError(_describe_nothing(kept))
     verdict = (
         f"Nothing better was found in {limit.searching_s - limit.left_s:.0f} s of search: of "
         f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}). Give "
@@ -144,7 +143,7 @@ def nothing_better(
     }
 
 
-def _describe_nothing(space: SearchSpace, kept: KeptTrials) -> str:
+def _describe_nothing(kept: KeptTrials) -> str:
     """Return why no trial is a result, and what to do."""
     trials, finished = kept.trials, kept.finished
     if not finished:
@@ -153,7 +152,7 @@ def _describe_nothing(space: SearchSpace, kept: KeptTrials) -> str:
             "on with --resume"
         )
     nearest = min(finished, key=lambda trial: (trial.broken_mm, bool(trial.misfit)))
-    way = nearest.misfit or limit_in_the_way(space, nearest.params)
+    way = nearest.misfit or f"its limits, by {nearest.broken_mm:.3g} mm"
     failed = len(trials) - len(finished)
     also = f" {failed} of them failed, the last because: {trials[-1].failure}." if failed else ""
     return (

@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 import torch
@@ -19,7 +18,6 @@ from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.pockets import shell_bodies
 from design.search.faces import layout_groups
-from design.search.places import polarities
 from design.search.space import (
     SearchSpace,
     params_at,
@@ -210,35 +208,8 @@ def _nearest(
     unit = unit_of(space, params)
     unit[flags] = point[best].numpy()
     worst = int(rules[best].argmax())
-    rule = _describe_rule(worst, float(rules[best, worst]))
+    rule = f"{RULES[worst]}, by {float(rules[best, worst]):.3g} mm of all parts together"
     return _Nearest(params | params_at(space, unit), float(rules[best].sum()), rule)
-
-
-def limit_in_the_way(space: SearchSpace, params: dict[str, Any]) -> str:
-    """Return the limit that a layout breaks most, in words: of places, or else of scores and counts."""
-    structured = with_structure(space.spec, params)
-    tensors = layout_space(space, structured)
-    flags = np.array([not v.choices for v in space.variables])
-    point = torch.as_tensor(unit_of(space, params)[None, flags], dtype=torch.float32)
-    poles = torch.tensor([polarities(structured, params)])
-    faces = structured.body.sensed
-    rules = torch.stack(
-        [
-            constraint_violations_mm(tensors, layouts_at(tensors, point, poles, face), face)[0]
-            for face in faces
-        ]
-    ).amax(dim=0)
-    worst = int(rules.argmax())
-    if float(rules[worst]) > 0:
-        return _describe_rule(worst, float(rules[worst]))
-    scores = [*space.spec.search.limits.times_start]
-    return (
-        f"a score of search.limits.times_start ({', '.join(scores)}), or the range of the sensors"
-    )
-
-
-def _describe_rule(rule: int, broken_mm: float) -> str:
-    return f"{RULES[rule]}, by {broken_mm:.3g} mm of all parts together"
 
 
 def _require_candidates(structured: ObjectSpec) -> None:

@@ -28,9 +28,9 @@ _MATTERS_NOT = ("name", "as_built", "collection")
 class Scored:
     """Outcome of a trial: its polished variables, values to minimise and scores.
 
-    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
-    `scorings` are the layouts that were scored for it, `generations` the length of its run, 0 where
-    an earlier version kept the trial.
+    `broken_mm` is 0 where every limit is kept; `misfit` says which is broken most, or what else does not
+    fit. `scorings` are the layouts that were scored for it, `generations` those planned for its run.
+    Trials of earlier versions have neither the name of a limit nor generations.
     """
 
     params: dict[str, Any]

@@ -28,6 +28,7 @@ from instobj.commands.readings import (
     Stream,
     Zeroing,
     is_data_set,
+    no_zero_text,
     recorded_stream,
     zeroed_data_set,
 )
@@ -297,11 +298,7 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[F
     zeros, texts = read_through(count, zero_of, reader, stream.loaded)
     zeroed = np.array([number for number, zero in enumerate(zeros) if zero is not None], int)
     if not len(zeroed):
-        raise InputError(
-            f"{stream.path} holds {count} frames, and never {zeroing.frames} at rest on end, which give "
-            f"the zero{''.join('; ' + text for text in texts)}. Begin at rest for a second, or take "
-            "--zero first"
-        )
+        raise InputError(no_zero_text(stream.path, count, zeroing, texts))
     levels = np.array([zeros[number] for number in zeroed]).reshape(-1, *raw.shape[1:])
     chosen = frames.select(zeroed)
     return replace(chosen, signal_counts=chosen.signal_counts - levels), texts

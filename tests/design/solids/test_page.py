@@ -14,26 +14,10 @@ from design.solids.magnet_template import make_magnet_template
 from design.solids.probes import make_probe
 from design.solids.shell import locator_hole
 from design.spec.mechanics import IndenterSpec
-from tests.support.objects.worked_objects import worked
+from tests.support.objects.worked_objects import WORKED_TIPS, worked
 from tests.support.physics_pages import assert_page
 
 BODIES = ("box", "box open at a side", "pad", "cylinder", "sleeve", "capsule", "sphere", "dome")
-TIPS = {
-    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "turn_deg": (0.0, 4.0, -6.0)},
-    "cuboid": {
-        "kind": "cuboid",
-        "size_mm": [6.0, 4.0],
-        "turn_deg": (25.0, 0.0, 0.0),
-        "tip_count": 3,
-    },
-    "cylinder": {
-        "kind": "cylinder",
-        "radius_mm": 2.0,
-        "size_mm": (7.0, 9.0),
-        "turn_deg": (0.0, 0.0, 5.0),
-    },
-    "stl": {"kind": "stl", "vertices_mm": [[0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]]},
-}
 
 
 def sizes(solids):
@@ -61,7 +45,7 @@ def of_bodies():
 
 
 def of_tools():
-    for name, tip in TIPS.items():
+    for name, tip in WORKED_TIPS.items():
         spec = worked("box").changed(indenter=IndenterSpec.model_validate(tip))
         yield f"probe, {name} (mm³, mm², faces)", sizes([make_probe(spec, spec.indenter.tip_count)])
     yield "template of a box", sizes([make_magnet_template(worked("box"), 5)])

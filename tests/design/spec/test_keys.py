@@ -122,7 +122,7 @@ EXAMPLES = [path for path in ROOT.glob("examples/**/*.toml") if path.stem != "pa
 
 
 def test_every_key_is_named_on_a_page_or_set_in_an_example_beside_the_template():
-    """By its dotted name or its last part as code; in a file by its line."""
+    """Names are dotted or the last part as code; in a file a line sets the key."""
     text = "\n".join(path.read_text(encoding="utf-8") for path in [*PAGES, *EXAMPLES])
     unknown = []
     for key in keys(ObjectSpec):

@@ -303,15 +303,15 @@ def _force_of_depth(signals):
 
 def test_recordings_of_one_tip_and_of_three_are_joined(paper, signals):
     """The one with fewer contact slots gets empty ones, and keeps what it says."""
-    one = simulate_collection(spec_of(poses=((), ())), signals, "one")
-    both = joined([paper, one])
-    assert one.contact_face.shape[1] == 1
+    single = simulate_collection(spec_of(poses=((), ())), signals, "one")
+    both = joined([paper, single])
+    assert single.contact_face.shape[1] == 1
     assert both.contact_face.shape[1] == 3
     last = both.select(np.arange(len(paper), len(both)))
-    np.testing.assert_array_equal(last.contact_face[:, 0], one.contact_face[:, 0])
+    np.testing.assert_array_equal(last.contact_face[:, 0], single.contact_face[:, 0])
     assert (last.contact_face[:, 1:] == NO_FACE).all()
     for name in ("contact_xy_mm", "force_n", "true_force_n"):
-        np.testing.assert_array_equal(getattr(last, name)[:, :1], getattr(one, name))
+        np.testing.assert_array_equal(getattr(last, name)[:, :1], getattr(single, name))
         assert np.isnan(getattr(last, name)[:, 1:]).all()
     assert not set(last.press_id) & set(paper.press_id)
 

@@ -53,14 +53,14 @@ def test_a_fit_goes_on_where_a_cut_step_would_gain_nothing(free):
     face[:, 1] = face[:, 0]
     contact[:, 1, :2], contact[:, 1, 2] = rng.uniform(-13, 13, (frames, 2)), 2.0
     given = free.model, free.priors, seen
-    found = most_probable(*given, np.arange(frames), face, contact, rounds=1)
+    fitted = most_probable(*given, np.arange(frames), face, contact, rounds=1)
     # mm or N, each way in each of six coordinates
     moves = 0.2 * np.concatenate([np.eye(6), -np.eye(6)]).reshape(12, 2, 3)
     row = np.arange(frames).repeat(len(moves))
-    moved = found.contact[row]
+    moved = fitted.contact[row]
     moved[:, :2] += np.tile(moves, (frames, 1, 1))
-    tried = most_probable(*given, row, face[row], moved, found.extra[row], rounds=1, steps=0)
-    assert np.all(found.misfit - tried.misfit.reshape(frames, -1).min(axis=1) < 1.0)
+    tried = most_probable(*given, row, face[row], moved, fitted.extra[row], rounds=1, steps=0)
+    assert np.all(fitted.misfit - tried.misfit.reshape(frames, -1).min(axis=1) < 1.0)
 
 
 def test_the_misfit_scatters_as_the_noise_says(free):

@@ -19,6 +19,7 @@ from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity
+from instobj.search.joined import plan_trial
 from instobj.search.lowest_fidelity import TimedTrials, counts_over_lowest, score_trials
 from instobj.search.time_limit import FIRST_LOOK_S, trial_ends
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
@@ -58,39 +59,65 @@ def made_up_search(steps):
     return space, LowestFidelity(tensors, scorers, {OVER_LIMIT: before[OVER_LIMIT]}), before
 
 
-@pytest.mark.parametrize("first_s", [FIRST_LOOK_S, np.inf])
-def test_trials_too_long_for_their_time_are_cut_to_it_and_better_than_the_start(
-    monkeypatch, first_s
-):
-    """Every generation takes so long that those asked for would take many minutes; each trial has
-    `FIRST_LOOK_S` at least, though reading its mechanics took all of its time."""
+@pytest.mark.parametrize(
+    ("first_s", "left_s", "steps", "seconds"),
+    [
+        (None, 3.0, 5, 3.0),  # nine tenths of its time, at half a second a generation
+        (None, FIRST_LOOK_S, 18, FIRST_LOOK_S),
+        (None, 400.0, 300, 400.0),
+        (FIRST_LOOK_S, 3.0, 10, FIRST_LOOK_S),  # of ten seconds half, and half for the walk
+        (FIRST_LOOK_S, 400.0, 20, 200.0),  # half of the time is of the trials that follow
+        (np.inf, 3.0, 3, 3.0),
+        (np.inf, 400.0, 300, 400.0),
+    ],
+)
+def test_trials_too_long_for_their_time_are_planned_for_it(first_s, left_s, steps, seconds):
+    space, *_ = made_up_search(steps=300)
+    planned, given_s = plan_trial(space, 0.5, left_s, first_s)
+    assert (planned.spec.search.polish_steps, given_s) == (steps, seconds)
+
+
+def test_trials_whose_time_went_into_reading_mechanics_have_a_first_look_all_the_same():
+    assert TimedTrials([], time.time() - 1.0).left_s == FIRST_LOOK_S
+    assert TimedTrials([], time.time() + 60.0).left_s == pytest.approx(60.0, abs=1.0)
+
+
+@pytest.mark.parametrize("is_start", [True, False])
+def test_a_trial_whose_time_is_over_ends_and_is_no_worse_than_it_began(is_start):
+    """Without an end there are hundreds of generations, and as many steps of a start's walk."""
     space, lowest, before = made_up_search(steps=300)
-    fast = lowest_fidelity.judge
+    begin = (
+        start_params(space) if is_start else params_at(space, np.full(len(space.variables), 0.5))
+    )
+    (cut,) = score_trials(space, lowest, [begin], seconds=0.0)
+    (unmoved,) = score_trials(made_up_search(steps=0)[0], lowest, [begin])
+    assert cut.scorings < 10
+    assert cut.broken_mm <= unmoved.broken_mm
+    assert cut.values[0] <= 1.001 * unmoved.values[0]
+    if is_start:
+        assert (cut.broken_mm, cut.misfit) == (0.0, "")
+        assert cut.values[0] <= 1.001 * before["worst_position_bound_mm"]
 
-    def slow(*args):
-        time.sleep(0.05)
-        return fast(*args)
 
-    monkeypatch.setattr(lowest_fidelity, "judge", slow)
-    monkeypatch.setattr(lowest_fidelity, "scorers", lambda spec, faces: ())
-    monkeypatch.setattr(lowest_fidelity, "start_scores", lambda spec: None)
-    monkeypatch.setattr(lowest_fidelity, "structure_fidelity", lambda *args: lowest)
-    monkeypatch.setattr(lowest_fidelity, "seconds_per_generation", lambda *args: 0.5)
-    content = space.spec.model_dump_json()
-    evaluate = lowest_fidelity.lowest_fidelity((content, 600, first_s))
-    start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
-    began = time.monotonic()
-    (walked,) = evaluate(TimedTrials([start], time.time() + 3.0))
-    (cut,) = evaluate(TimedTrials([other], time.time() - 1.0))
-    assert time.monotonic() - began < 2 * FIRST_LOOK_S + 4.0
+def test_a_start_with_little_time_is_better_than_it_began():
+    space, lowest, before = made_up_search(steps=300)
+    planned, seconds = plan_trial(space, 0.5, 3.0, FIRST_LOOK_S)
+    (walked,) = score_trials(planned, lowest, [start_params(space)], seconds)
     assert 0 < walked.generations < 20
-    assert 0 < cut.generations < 20
     assert (walked.broken_mm, walked.misfit) == (0.0, "")
     assert walked.values[0] < before["worst_position_bound_mm"]
 
 
+def test_a_layout_that_breaks_limits_says_which_most():
+    space, lowest, _ = made_up_search(steps=0)
+    middle = params_at(space, np.full(len(space.variables), 0.5))
+    (crowded,) = score_trials(space, lowest, [middle])  # all magnets in one place
+    assert crowded.broken_mm > 0
+    assert crowded.misfit == "the limit of pocket gap"
+
+
 def test_the_start_walks_to_a_layout_that_is_better_and_keeps_its_limits():
-    """Beside generations too few to find much; other trials walk nowhere."""
+    """Generations are too few to find much; other trials walk nowhere."""
     space, lowest, before = made_up_search(STEPS)
     start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
     assert start is not None

@@ -234,7 +234,7 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         levels = Levels(tmp_path / "rungs.json", lambda line: None)
         assert Promoter(space, limit, levels).promote(kept) is None
         write = partial(write_best, folder=tmp_path / "search", beside=tmp_path)
-        document = nothing_better(space, kept, limit, write)
+        document = nothing_better(spec, kept, limit, write)
         assert load_spec(path).magnets == spec.magnets, "the best so far is the start"
         assert document["verdict"].startswith("Nothing better was found in 0 s of search")
         assert (
@@ -254,15 +254,15 @@ def test_without_a_result_the_error_says_why_trials_failed_or_which_limit_is_in_
 
     def refused():
         with pytest.raises(InputError) as error:
-            nothing_better(space, kept, limit, lambda *args: tmp_path)
+            nothing_better(space.spec, kept, limit, lambda *args: tmp_path)
         return str(error.value)
 
     assert f"all 2 trials failed. The last reason: {why}" in refused()
     assert "limit" not in refused()
-    kept.keep([Trial(params, (2.0,), {}, 3.0, "", 1, 2)])
+    kept.keep([Trial(params, (2.0,), {}, 3.0, "the limit of pocket gap", 1, 2)])
     several = refused()
     assert "none of 3 trials keeps every limit. 2 of them failed, the last because" in several
-    assert "Most in the way of the nearest, trial 2: " in several
+    assert "Most in the way of the nearest, trial 2: the limit of pocket gap." in several
     kept.keep([Trial(params, (2.0,), {}, 0.0, "cannot be fabricated: seal", 1, 3)])
     assert "trial 3: cannot be fabricated: seal" in refused()
 

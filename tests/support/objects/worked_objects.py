@@ -127,3 +127,22 @@ OBJECTS["reverse box"]["arrangement"] = "sensors-in-shell"
 def worked(name: str) -> ObjectSpec:
     """The object of that name, which fits."""
     return ObjectSpec.model_validate(OBJECTS[name])
+
+
+WORKED_TIPS = {
+    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "turn_deg": (0.0, 4.0, -6.0)},
+    "cuboid": {
+        "kind": "cuboid",
+        "size_mm": [6.0, 4.0],
+        "turn_deg": (25.0, 0.0, 0.0),
+        "tip_count": 3,
+    },
+    "cylinder": {
+        "kind": "cylinder",
+        "radius_mm": 2.0,
+        "size_mm": (7.0, 9.0),
+        "turn_deg": (0.0, 0.0, 5.0),
+    },
+    "stl": {"kind": "stl", "vertices_mm": [[0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]]},
+}
+"""Indenters of the pages of physics."""

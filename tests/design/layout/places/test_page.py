@@ -32,7 +32,7 @@ from design.layout.tips import (
 )
 from design.spec.mechanics import IndenterSpec, SlipSpec
 from design.spec.object import ObjectSpec
-from tests.support.objects.worked_objects import OBJECTS, worked
+from tests.support.objects.worked_objects import OBJECTS, WORKED_TIPS, worked
 from tests.support.physics_pages import assert_page
 
 FILLED = {
@@ -43,25 +43,11 @@ FILLED = {
 }
 TIPS = {
     "hemisphere": {"radius_mm": 3.5, "tip_count": 2, "turn_deg": (30.0, 0.0, 0.0)},
-    "flat": {"kind": "flat", "radius_mm": 3.0, "fillet_mm": 0.8, "turn_deg": (0.0, 4.0, -6.0)},
-    "cuboid": {
-        "kind": "cuboid",
-        "size_mm": [6.0, 4.0],
-        "turn_deg": (25.0, 0.0, 0.0),
-        "tip_count": 3,
-    },
+    "flat": WORKED_TIPS["flat"],
+    "cuboid": WORKED_TIPS["cuboid"],
     "rounded cuboid": {"kind": "cuboid", "size_mm": [6.0, 4.0], "fillet_mm": 1.0},
-    "cylinder": {
-        "kind": "cylinder",
-        "radius_mm": 2.0,
-        "size_mm": (7.0, 9.0),
-        "turn_deg": (0.0, 0.0, 5.0),
-    },
-    "stl": {
-        "kind": "stl",
-        "vertices_mm": [[0, 0, 0], [6, 0, 8], [-6, 5, 8], [-6, -5, 8]],
-        "direction_deg": [10.0, -20.0],
-    },
+    "cylinder": WORKED_TIPS["cylinder"],
+    "stl": WORKED_TIPS["stl"] | {"direction_deg": [10.0, -20.0]},
 }
 AS_BUILT = {
     "magnets": [
