@@ -72,7 +72,7 @@ class PlaceScores:
     detectable_force_n : force at which the signal stands five sigma off rest
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
     force_at_score_n : `score.force_n`, or the force of the deepest press where that is less: bounds
-        and δ of such a place are NaN, as no press shows them
+        and δ of such a place are NaN, as no press shows them (but see `score_places`)
     reaches_score_force : whether `score.force_n` is reached
     depth_at_score_mm, stiffness_n_per_mm : indentation depth at that force, and force over depth
     """
@@ -151,9 +151,15 @@ class WeakestPlace:
 
 
 def score_places(
-    spec: ObjectSpec, signals: Signals, progress: Callable[[str], None] | None = None
+    spec: ObjectSpec,
+    signals: Signals,
+    progress: Callable[[str], None] | None = None,
+    scored: Bool[np.ndarray, "face place"] | None = None,
 ) -> PlaceScores:
     """Score every contact location; bounds and detectable forces from `score.channels`.
+
+    Bounds and δ of locations that do not reach `score.force_n` are NaN, but for those of `scored`: they
+    get the figures of their deepest press, of less force.
 
     Nuisances of `limits.use` are integrated out. Beside them the position error takes chips that clip
     in a press for ones that still tell of the nuisances.
@@ -172,10 +178,13 @@ def score_places(
             progress(f"face {face}: {is_place.sum()} places")
         rows.append(_score_face(spec, signals, grid.xy_mm[is_place], face, nuisances))
     columns = {name: fill_places(places, [row[name] for row in rows]) for name in rows[0]}
-    require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
+    shown = columns["reaches_score_force"]
+    if scored is not None:
+        shown = shown | scored
+    require_reached(spec, columns["force_at_score_n"], shown)
     for name in columns:
         if name.startswith(_AT_FORCE):
-            columns[name][~columns["reaches_score_force"]] = np.nan
+            columns[name][~shown] = np.nan
     return PlaceScores(signals.faces, grid, **columns)
 
 

@@ -310,7 +310,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=8,
+        version=9,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

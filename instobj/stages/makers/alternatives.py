@@ -12,11 +12,13 @@ from pathlib import Path
 import numpy as np
 
 from design.catalogue.magnets import GRADES
+from design.catalogue.silicones import SILICONES
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import lists_of_sensed_faces
 from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
+from design.spec.silicone import SiliconeSpec
 from design.spec_io import check
 from estimator.information.scores import score_places
 from estimator.signals.presses import Signals, press_signals, saturation_margin
@@ -33,7 +35,8 @@ _WIDER = (0.0, 0.5, 0.6, 0.7)
 """The same at least, where more sensors find no room further in."""
 _STRONGEST = max(GRADES.values(), key=lambda grade: grade.remanence_t)
 _LEAST_GAIN = 1.05
-"""Remanence after a change of grade over that before: makers' ranges within a grade span 5 %."""
+"""Remanence after a change of grade over that before: makers' ranges within a grade span 5 %. The same for
+the modulus of a silicone over that of a softer one."""
 
 
 @dataclass(frozen=True)
@@ -68,14 +71,17 @@ def alternatives(
 
     Where none of them keeps every limit, sets of three follow, then of four and so on until one does.
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
-    silicone. What the specification's own checks refuse is left out.
+    silicone. What the specification's own checks refuse is left out. All are judged at the same
+    locations: where softer silicone does not reach `score.force_n`, at its deepest press, whose bound is
+    larger.
     """
     read_by_source = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
-    rows = list[Alternative]()
-    for size in range(len(CHANGES) + 1):
+    rows, possible = list[Alternative](), changes_of(spec)
+    judged = score_places(spec, signals).judged
+    for size in range(len(possible) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
             break
-        for changes in combinations(CHANGES, size):
+        for changes in combinations(possible, size):
             if {*changes} >= _MORE_SENSORS:
                 continue
             step(", ".join(changes) or "as specified")
@@ -86,7 +92,8 @@ def alternatives(
                     read = press_signals(changed, *load_presses(presses))
                     read_by_source[source] = read, least_objects_margin(changed, read, presses)
                 read, margin = read_by_source[source]
-                row = alternative_of(changes, changed, with_forces(spec, changed, read), margin)
+                read = with_forces(spec, changed, read)
+                row = alternative_of(changes, changed, read, margin, judged)
                 rows.append(replace(row, settings=settings_of(spec, changed)))
             except ValueError:
                 if not changes:
@@ -100,8 +107,9 @@ def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
 
 
 def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
+    possible = changes_of(spec)
     for change in changes:
-        spec = CHANGES[change](spec)
+        spec = possible[change](spec)
     return spec
 
 
@@ -174,25 +182,41 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
     return spec.changed(magnets=spec.magnets.changed(**stronger))
 
 
-def _softer(spec: ObjectSpec) -> ObjectSpec:
-    modulus = 0.7 * spec.silicone.youngs_modulus_mpa
-    softer = {"youngs_modulus_mpa": modulus, "youngs_modulus_range_mpa": None}
-    silicone = spec.silicone.changed(**softer)
-    return spec.changed(silicone=silicone)
+def _cast_of(name: str, spec: ObjectSpec) -> ObjectSpec:
+    """The object of another silicone, whose Poisson's ratio is left: the stored mechanics have it."""
+    kept = spec.silicone.model_dump(
+        include={"poisson_ratio", "layers", "prony", "thinnest_wall_mm"}
+    )
+    return spec.changed(silicone=SiliconeSpec(name=name, **kept))
 
 
 def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
     return spec.changed(sensors=spec.sensors.changed(**update))
 
 
-CHANGES: dict[str, Change] = {
+def changes_of(spec: ObjectSpec) -> dict[str, Change]:
+    """Return what can be changed of an object, under the names that users read: numbers of sensors, grade,
+    noise, and the least soft of the catalogue's silicones that are softer."""
+    softer = [
+        silicone
+        for silicone in SILICONES.values()
+        if silicone.casting is not None
+        and silicone.casting.cure == spec.silicone.cure
+        and silicone.modulus.youngs_modulus_mpa < spec.silicone.youngs_modulus_mpa / _LEAST_GAIN
+    ]
+    nearest = max(softer, key=lambda silicone: silicone.modulus.youngs_modulus_mpa, default=None)
+    if nearest is None:
+        return _CHANGES
+    label = f"{nearest.name} as the silicone (softer: deeper presses)"
+    return _CHANGES | {label: partial(_cast_of, nearest.name)}
+
+
+_CHANGES: dict[str, Change] = {
     "mean of four frames (half the white noise, a quarter of the rate)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
     f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,
-    "silicone 30 % softer (deeper presses)": _softer,
 }
-"""Told as users read them."""
 _MORE_SENSORS = {"one more sensor on every face", "two more sensors on every face"}
 """Changes of which a set holds one at most."""
 
@@ -210,16 +234,21 @@ def least_objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> f
 
 
 def alternative_of(
-    changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
+    changes: tuple[str, ...],
+    spec: ObjectSpec,
+    signals: Signals,
+    objects_margin: float,
+    judged: Bool[np.ndarray, "face place"],
 ) -> Alternative:
-    scores = score_places(spec, signals)
-    bound, is_judged = scores.position_bound_mm, scores.judged
+    """Figures of a changed object at the locations where the unchanged one is judged."""
+    scores = score_places(spec, signals, scored=judged)
+    bound = scores.position_bound_mm
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
-        float(bound[is_judged].max()),
-        float(np.median(bound[is_judged])),
-        float(scores.detectable_force_n[is_judged].max()),
+        float(bound[judged].max()),
+        float(np.median(bound[judged])),
+        float(scores.detectable_force_n[judged].max()),
         saturation_margin(signals, spec),
         objects_margin,
         faces * spec.magnets.count,

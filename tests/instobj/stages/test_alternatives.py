@@ -5,24 +5,29 @@ import pytest
 
 from design.errors import InputError
 from design.spec_io import load_spec, parse_spec
-from instobj.stages.makers import alternatives
-from instobj.stages.makers.alternatives import CHANGES, Alternative, settings_of
+from estimator.information.scores import score_places
+from instobj.stages.makers.alternatives import alternatives, changes_of, settings_of, with_forces
+from instobj.stages.run import Run
+from instobj.store.readers import PRESSES, SIGNALS
+from tests.support.objects.tiny_cube import lend_mechanics, tiny_cube
+
+CUBE = parse_spec({"name": "cube"}, "test")
 
 
-@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("change", changes_of(CUBE))
 def test_changes_of_a_graded_magnet_are_valid_specifications(change):
     spec = parse_spec({"name": "cube", "magnets": {"grade": "N42"}}, "test")
-    other = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change)
+    other = parse_spec(changes_of(spec)[change](spec).model_dump(mode="json"), change)
     assert other != spec
     if "magnets" in change:
         assert other.magnets.remanence_t == 1.45
 
 
 def test_magnets_of_several_grades_get_the_strongest():
-    (change,) = (name for name in CHANGES if "magnets" in name)
+    (change,) = (name for name in changes_of(CUBE) if "magnets" in name)
     magnets = {"positions_mm": [[0, 0], [9, 8]], "grade": ["N35", "N52"]}
     spec = parse_spec({"name": "cube", "magnets": magnets}, "test")
-    stronger = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change).magnets
+    stronger = parse_spec(changes_of(spec)[change](spec).model_dump(mode="json"), change).magnets
     assert stronger.remanences_t == (1.45, 1.45)
     assert stronger.strengths == (1.0, 1.0)
 
@@ -30,17 +35,17 @@ def test_magnets_of_several_grades_get_the_strongest():
 @pytest.mark.parametrize("remanence", [1.40, 1.43, 1.45, 1.5])
 def test_no_magnet_is_proposed_that_nobody_sells(remanence):
     """For N50 a remanence of 1.72 T was the change that turned a no-go into a go."""
-    (change,) = (name for name in CHANGES if "magnets" in name)
+    (change,) = (name for name in changes_of(CUBE) if "magnets" in name)
     spec = parse_spec({"name": "cube", "magnets": {"remanence_t": remanence}}, "test")
     with pytest.raises(InputError, match="no grade is 5% stronger"):
-        CHANGES[change](spec)
+        changes_of(spec)[change](spec)
 
 
 def test_reading_all_channels_is_no_change_as_every_object_is_judged_so():
     spec = parse_spec({"name": "cube"}, "test")
     assert spec.score.channels == "all"
     weaker = parse_spec({"name": "cube", "magnets": {"grade": "N42"}}, "test")
-    assert all(change(weaker).score == spec.score for change in CHANGES.values())
+    assert all(change(weaker).score == spec.score for change in changes_of(weaker).values())
 
 
 @pytest.mark.parametrize("count", [1, 3])
@@ -50,42 +55,72 @@ def test_one_more_sensor_finds_places_where_each_has_one(count):
     sensors = {"count_per_face": count, "positions_mm": places, "radius_mm": 7.0}
     body = {"sensed_faces": [1, 3, 5]}
     spec = parse_spec({"name": "cube", "body": body, "sensors": sensors}, "test")
-    more = CHANGES["one more sensor on every face"](spec).sensors.positions_mm
+    more = changes_of(CUBE)["one more sensor on every face"](spec).sensors.positions_mm
     assert more is not None
     assert [len(face) for face in more] == [count + 1] * 3
     if count == 3:
         assert np.hypot(*np.array(more[0]).T) == pytest.approx(7.0)
 
 
-@pytest.mark.parametrize(("needed", "largest"), [(1, 2), (2, 2), (4, 4), (9, 4)])
-def test_larger_sets_are_tried_until_one_keeps_the_limits(needed, largest, monkeypatch):
-    """Figures fall with every change; a set holds one or two more sensors, not both."""
+@pytest.fixture(scope="module")
+def pressed(tmp_path_factory):
+    """The small cube, its signals, and the path of its presses."""
+    store = tmp_path_factory.mktemp("alternatives")
+    lend_mechanics(store)
+    run = Run(tiny_cube(), root=store)
+    presses = PRESSES.path(run.require("presses").folder)
+    return run.spec, SIGNALS.read(run.require("signals").folder), presses
 
-    def row(changes, spec, signals, objects_margin):
-        bound = 1.0 if len(changes) >= needed else 2.0
-        return Alternative(changes, bound, 0.5, 1.0, 0.5, objects_margin, 5, 3)
 
-    monkeypatch.setattr(alternatives, "least_objects_margin", lambda spec, signals, presses: 0.2)
-    monkeypatch.setattr(alternatives, "alternative_of", row)
-    spec = parse_spec({"name": "cube"}, "test")
-    monkeypatch.setattr(alternatives, "changed_spec", lambda spec, changes: spec)
-    monkeypatch.setattr(alternatives, "with_forces", lambda spec, other, signals: signals)
-    rows = alternatives.alternatives(spec, None, None, lambda message: None)
+@pytest.mark.parametrize(("limit_mm", "largest"), [(20.0, 2), (0.001, 3)])
+def test_larger_sets_are_tried_until_one_keeps_the_limits(pressed, limit_mm, largest):
+    """A set holds one or two more sensors, not both. As no magnets are stronger, three changes at most."""
+    spec, signals, presses = pressed
+    spec = spec.changed(limits=spec.limits.changed(position_bound_mm=limit_mm))
+    rows = alternatives(spec, signals, presses, lambda message: None)
     sizes = [len(row.changes) for row in rows]
     assert sizes == sorted(sizes)
     assert max(sizes) == largest
-    more = {name for name in CHANGES if "more sensor" in name}
+    more = {name for name in changes_of(spec) if "more sensor" in name}
     assert len(more) == 2
     assert not any(more <= {*row.changes} for row in rows)
 
 
-@pytest.mark.parametrize("change", CHANGES)
+def test_a_softer_silicone_is_judged_where_the_design_is(pressed):
+    """Where every location of the design reaches the force and none of the softer one does, its bounds are
+    those of the deepest press, which deforms both alike."""
+    spec, signals, presses = pressed
+    beyond = spec.changed(score=spec.score.changed(force_n=500.0))
+    deepest = score_places(beyond, signals, scored=np.ones((1, 9), bool))
+    force = 0.9 * float(deepest.force_at_score_n.min())
+    spec = spec.changed(score=spec.score.changed(force_n=force))
+    (change,) = (name for name in changes_of(spec) if "softer" in name)
+    softer = changes_of(spec)[change](spec)
+    assert with_forces(spec, softer, signals).force_n.max() < force
+    rows = {row.changes: row for row in alternatives(spec, signals, presses, print)}
+    bounds = deepest.position_bound_mm
+    assert rows[(change,)].weakest_bound_mm == pytest.approx(bounds.max(), rel=1e-6)
+    assert rows[(change,)].median_bound_mm == pytest.approx(np.median(bounds), rel=1e-6)
+
+
+def test_the_softer_silicone_is_the_least_soft_that_is_sold():
+    def softer_than(name):
+        spec = parse_spec({"name": "cube", "silicone": {"name": name}}, "test")
+        return [change.split(" as ")[0] for change in changes_of(spec) if "softer" in change]
+
+    assert softer_than("Dragon Skin 30") == ["Dragon Skin 20"]
+    assert softer_than("Platsil Gel-10") == ["Dragon Skin 10"]
+    assert softer_than("Ecoflex 00-30") == [], "none is softer"
+    assert softer_than("TPU 85A") == [], "printed, not cast"
+
+
+@pytest.mark.parametrize("change", changes_of(CUBE))
 def test_the_lines_to_copy_make_the_change(change, tmp_path):
     """To a thousandth. Lines about keys to leave out are comments, and stand where a key goes."""
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\nmagnets.remanence_t = 1.3\n')
     spec = load_spec(path, [])
-    lines = settings_of(spec, CHANGES[change](spec))
+    lines = settings_of(spec, changes_of(spec)[change](spec))
     keys = [line for line in lines if not line.startswith("#")]
     assert keys
     assert [*settings_of(spec, load_spec(path, keys))] == keys
