@@ -10,6 +10,7 @@ from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
+from jaxtyping import Bool
 
 from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES
