@@ -124,12 +124,16 @@ def whitened_slopes(
     """Return W J with WᵀW = Σ⁻¹ of the channels that do not stand still in a press."""
     if nuisances is None or not nuisances.shape[1]:
         return jacobian / sigma_counts[:, None]
+    rows, moves = jacobian.swapaxes(1, 2), jacobian.any(axis=2)
+    # The usual case: no chip is clipped. To sort presses by which are takes as long as to whiten them.
+    if moves.all():
+        return whitened(rows, sigma_counts, nuisances).swapaxes(1, 2)
     white = np.empty_like(jacobian)
-    patterns, which = np.unique(jacobian.any(axis=2), axis=0, return_inverse=True)
+    patterns, which = np.unique(moves, axis=0, return_inverse=True)
     for number, moving in enumerate(patterns):
         some = which.ravel() == number
-        rows = jacobian[some].swapaxes(1, 2)
-        white[some] = whitened(rows, sigma_counts, nuisances * moving[:, None]).swapaxes(1, 2)
+        shared = nuisances * moving[:, None]
+        white[some] = whitened(rows[some], sigma_counts, shared).swapaxes(1, 2)
     return white
 
 

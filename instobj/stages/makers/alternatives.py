@@ -21,7 +21,7 @@ from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec.silicone import SiliconeSpec
 from design.spec_io import check
-from estimator.information.scores import score_places
+from estimator.information.scores import place_bounds
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
@@ -78,7 +78,7 @@ def alternatives(
     """
     read_by_source = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
     rows, possible = list[Alternative](), changes_of(spec)
-    judged = score_places(spec, signals).judged
+    judged = place_bounds(spec, signals).reaches_score_force
     for size in range(len(possible) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
             break
@@ -242,14 +242,14 @@ def alternative_of(
     judged: Bool[np.ndarray, "face place"],
 ) -> Alternative:
     """Figures of a changed object at the locations where the unchanged one is judged."""
-    scores = score_places(spec, signals, scored=judged)
-    bound = scores.position_bound_mm
+    bounds = place_bounds(spec, signals)
+    position_mm = bounds.position_bound_mm[judged]
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
-        float(bound[judged].max()),
-        float(np.median(bound[judged])),
-        float(scores.detectable_force_n[judged].max()),
+        float(position_mm.max()),
+        float(np.median(position_mm)),
+        float(bounds.detectable_force_n[judged].max()),
         saturation_margin(signals, spec),
         objects_margin,
         faces * spec.magnets.count,

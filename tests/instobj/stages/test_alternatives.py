@@ -5,7 +5,7 @@ import pytest
 
 from design.errors import InputError
 from design.spec_io import load_spec, parse_spec
-from estimator.information.scores import score_places
+from estimator.information.scores import place_bounds
 from instobj.stages.makers.alternatives import alternatives, changes_of, settings_of, with_forces
 from instobj.stages.run import Run
 from instobj.store.readers import PRESSES, SIGNALS
@@ -90,9 +90,8 @@ def test_a_softer_silicone_is_judged_where_the_design_is(pressed):
     """Where every location of the design reaches the force and none of the softer one does, its bounds are
     those of the deepest press, which deforms both alike."""
     spec, signals, presses = pressed
-    beyond = spec.changed(score=spec.score.changed(force_n=500.0))
-    deepest = score_places(beyond, signals, scored=np.ones((1, 9), bool))
-    force = 0.9 * float(deepest.force_at_score_n.min())
+    deepest = place_bounds(spec.changed(score=spec.score.changed(force_n=500.0)), signals)
+    force = 0.9 * float(signals.force_n[..., -1].min())
     spec = spec.changed(score=spec.score.changed(force_n=force))
     (change,) = (name for name in changes_of(spec) if "softer" in name)
     softer = changes_of(spec)[change](spec)
