@@ -7,7 +7,7 @@ INSTALLED := .venv/.installed
 .PHONY: demo test test-slow test-rounding verify lint docs install clean
 
 demo: $(INSTALLED)
-	$(BIN)/instobj run examples/paper_cube.toml
+	$(BIN)/instobj run --workers 2 examples/paper_cube.toml
 
 # Each process on one thread: solvers that share threads wait for each other. Three on two cores, as
 # tests of boards, browsers and commands wait for them. Compiled modules are kept for the next run;

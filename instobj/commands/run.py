@@ -200,6 +200,8 @@ def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[st
     from design.catalogue.bus_parts import MEGA2560
     from design.wiring.bus_plan import plan_or_none
 
+    for path in specs:
+        _warn_of_no_go(load_spec(path, overrides))
     document = run_chain(specs, ("sheet",), out, overrides)
     spec = load_spec(specs[0], overrides)
     # parts of an object that was not scored may not be worth casting
@@ -294,15 +296,34 @@ def run_one_object(
 
 def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
     """Say go or no-go as soon as the scores give it, where virtual objects are still to be judged."""
-    from instobj.report.remedies import DESIGN_STAGES, verdict_summary
+    from instobj.report.remedies import DESIGN_STAGES
 
     judges_objects = with_needs(*stages) >= {"robustness", *DESIGN_STAGES}
     if not judges_objects or run.stored("robustness"):
         return
+    name, line = _verdict_of_design(run)
+    run.progress.say(f"{name}: {line}. By the design; objects built within tolerances follow")
+
+
+def _warn_of_no_go(spec: ObjectSpec) -> None:
+    """Warn where stored scores say that an object to be built is not good enough."""
+    from instobj.report.cells import NO_GO
+    from instobj.report.remedies import DESIGN_STAGES
+
+    run = Run(spec)
+    if all(run.stored(name) for name in DESIGN_STAGES):
+        name, line = _verdict_of_design(run)
+        if name == NO_GO:
+            warnings.warn(f"{spec.name} was scored {name}: {line}", stacklevel=2)
+
+
+def _verdict_of_design(run: Run) -> tuple[str, str]:
+    """Return go or no-go, and the sentence behind it."""
+    from instobj.report.remedies import DESIGN_STAGES, verdict_summary
+
     for name in DESIGN_STAGES:
         run.require(name)
-    name, line = next(iter(verdict_summary(run.spec, run.results).items()))
-    run.progress.say(f"{name}: {line}. By the design; objects built within tolerances follow")
+    return next(iter(verdict_summary(run.spec, run.results).items()))
 
 
 def run_estimator(

@@ -6,9 +6,13 @@ from pathlib import Path
 import pytest
 
 from design.errors import InputError
+from design.spec_io import load_spec
 from estimator.frames.dataset import save_frames
 from instobj.commands import run
-from instobj.commands.run import run_chain, run_estimator
+from instobj.commands.run import build_objects, run_chain, run_estimator
+from instobj.report.remedies import DESIGN_STAGES
+from instobj.stages.run import Run
+from tests.support.objects.tiny_cube import CHANGES, SMALL_CUBE, lend_mechanics
 from tests.support.recordings.pressed_frames import made_frames
 
 
@@ -22,6 +26,29 @@ def specification(tmp_path, monkeypatch):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n')
     return path
+
+
+def test_parts_of_an_object_that_was_scored_a_no_go_are_written_with_a_warning(
+    specification, tmp_path, monkeypatch, recwarn
+):
+    """Of an object that is good enough, or was not scored, `build` says nothing."""
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    lend_mechanics(tmp_path / "store")
+
+    def warned_of(position_bound_mm, scored=True):
+        limits = [f"limits.position_bound_mm={position_bound_mm}", "limits.detectable_force_n=50"]
+        changes = ['name="tiny"', *CHANGES, *limits]
+        if scored:
+            chain = Run(load_spec(SMALL_CUBE, changes))
+            for stage in DESIGN_STAGES:
+                chain.require(stage)
+        build_objects([SMALL_CUBE], tmp_path, changes)
+        return [str(w.message) for w in recwarn if "scored" in str(w.message)]
+
+    assert not warned_of(0.001, scored=False)
+    assert not warned_of(50.0)
+    (text,) = warned_of(0.001)
+    assert text.startswith("tiny was scored NO-GO: not good enough for the use 'grasp'")
 
 
 @pytest.mark.parametrize("source", ["recorded", "simulated"])
