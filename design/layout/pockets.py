@@ -305,7 +305,7 @@ def near_pairs(
     pairs = pairs[np.lexsort(pairs.T[::-1])]
     for some in np.array_split(pairs, 1 + len(pairs) // _PAIRS_AT_ONCE):
         index_a, index_b = some.T
-        distance = np.linalg.norm(_way_between(ends[index_a], ends[index_b]), axis=1)
+        distance = distances_of_segments_mm(ends[index_a], ends[index_b])
         meet = distance <= reach[index_a] + reach[index_b]
         yield from zip(
             index_a[meet].tolist(), index_b[meet].tolist(), distance[meet].tolist(), strict=True
@@ -319,6 +319,20 @@ _PAIRS_AT_ONCE = 100_000
 def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]) -> float:
     """Smallest distance between two straight pieces, given by their ends."""
     return float(np.linalg.norm(_way_between(a, b)))
+
+
+def smallest_gap_mm(ends_mm: Float[np.ndarray, "n 2 3"], reach_mm: Float[np.ndarray, "n"]) -> float:
+    """Smallest distance between any two of n rods with round ends; infinite of fewer than two."""
+    first, second = np.triu_indices(len(ends_mm), 1)
+    apart = distances_of_segments_mm(ends_mm[first], ends_mm[second])
+    return float(np.min(apart - reach_mm[first] - reach_mm[second], initial=np.inf))
+
+
+def distances_of_segments_mm(
+    a: Float[np.ndarray, "*n 2 3"], b: Float[np.ndarray, "*n 2 3"]
+) -> Float[np.ndarray, "*n"]:
+    """Return the same for pairs of pieces."""
+    return np.linalg.norm(_way_between(a, b), axis=-1)
 
 
 def _way_between(

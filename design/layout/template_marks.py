@@ -142,20 +142,23 @@ class _Plate:
         """Walls of one mark, wherever it may stand, to holes, the plate's edges and the other marks; −∞ where
         there is none, as they meet."""
         polarities, half = self.spec.magnets.polarities, np.asarray(self.half_mm)
+        of_others = [
+            (*places[k], *bar)
+            for k in range(len(places))
+            if k != index
+            for bar in bars(polarities[k])
+        ]
+        # middles and half edges of the other marks' bars
+        middles, theirs = np.reshape(of_others, (-1, 2, 2)).swapaxes(0, 1)
         walls = list[np.ndarray]()
         for mine in map(np.array, bars(polarities[index])):
             beside = (abs(candidates[:, None] - self.centres) - mine).clip(min=0)
             walls.append(np.linalg.norm(beside, axis=2) - self.radii)
             corner = (half - candidates - mine).sum(axis=1, keepdims=True) - CORNER_MM
             walls += [_or_none(half - abs(candidates) - mine), _or_none(corner / np.sqrt(2))]
-            for other_index, theirs in self._bars_of_others(index):
-                apart = (abs(candidates - places[other_index]) - mine - theirs).clip(min=0)
-                walls.append(_or_none(np.linalg.norm(apart, axis=1, keepdims=True)))
+            apart = (abs(candidates[:, None] - middles) - mine - theirs).clip(min=0)
+            walls.append(_or_none(np.linalg.norm(apart, axis=2)))
         return np.concatenate(walls, axis=1)
-
-    def _bars_of_others(self, index: int) -> list[tuple[int, Float[np.ndarray, "2"]]]:
-        others = [k for k in range(len(self.pockets)) if k != index]
-        return [(k, np.array(bar)) for k in others for bar in bars(self.spec.magnets.polarities[k])]
 
 
 def _or_none(walls_mm: Float[np.ndarray, "..."]) -> Float[np.ndarray, "..."]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
 import numpy as np
 from jaxtyping import Float
 
@@ -23,9 +21,9 @@ from design.layout.places.positions import shell_covers_mm
 from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
-    distance_of_segments_mm,
     sensor_places,
     shell_pockets,
+    smallest_gap_mm,
 )
 from design.layout.template_marks import thinnest_mark_wall_mm
 from design.spec.object import ObjectSpec
@@ -188,13 +186,8 @@ def tight_shell(spec: ObjectSpec) -> bool:
     ]
     over = float(np.min(np.concatenate(shell_covers_mm(spec))))
     under = min(body_of(spec).silicone_mm + pocket.lowest_mm for _, pocket, _ in placed)
-    between = min(
-        (
-            distance_of_segments_mm(ends, others) - a.outline.radius_mm - b.outline.radius_mm
-            for (_, a, ends), (_, b, others) in combinations(placed, 2)
-        ),
-        default=np.inf,
-    )
+    radii = np.array([pocket.outline.radius_mm for _, pocket, _ in placed])
+    between = smallest_gap_mm(np.stack([ends for *_, ends in placed]), radii)
     beside = min(_border_silicone_mm(frame, pocket) for frame, pocket, _ in placed)
     return not np.min([over, under, between, beside]) >= least
 
