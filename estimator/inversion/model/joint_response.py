@@ -1,9 +1,4 @@
-"""Counts under many contacts of many objects at once: single presses, and what they do to each other.
-
-Signals of single presses add up. What two contacts do to each other's signals comes from the curvature
-of each magnet's field: the second derivatives of the counts by its motion, times both motions. One
-product of matrices serves it, so that no field is computed while contacts come and go.
-"""
+"""Counts under many contacts of many objects at once, some of which share their silicone."""
 
 from __future__ import annotations
 
@@ -13,31 +8,29 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, like, zeros
-from estimator.inversion.model.forward import NONE, ContactModel
+from estimator.inversion.model.forward import NONE, ContactModel, interaction_counts
 from estimator.inversion.model.table import PressTable
 
-_STEPS = np.array([0.5, 0.5, 0.5, 0.05, 0.05, 0.05])
-"""Motions (mm, rad) over which second derivatives are taken: those of presses of some newtons."""
 _CHUNK = 64
 """Objects at a time: their pairs of motions fit a second-level cache."""
 
 
 @dataclass(frozen=True)
 class JointResponse:
-    """Tables of single presses, and second derivatives of counts by the motions of each body.
+    """Table of single presses, and what contacts do to each other.
 
     Attributes
     ----------
     table : signals (channel), then motions (6 a body) of single presses
-    curvature : half the second derivatives, (body · 36, channel)
+    pair_counts : as in `ContactModel`
     """
 
     table: PressTable
-    curvature: Float[Array, "pair channel"]
+    pair_counts: Float[Array, "pair channel"]
 
     def moved_to(self, reference: Array) -> JointResponse:
         """The same where the reference is."""
-        return JointResponse(self.table.moved_to(reference), like(reference, self.curvature))
+        return JointResponse(self.table.moved_to(reference), like(reference, self.pair_counts))
 
     def changes(
         self,
@@ -54,7 +47,7 @@ class JointResponse:
 
     def _changes(self, face: Array, contact: Array, share: Array) -> Float[Array, "object channel"]:
         touching = face != NONE
-        channels = self.curvature.shape[1]
+        channels = self.pair_counts.shape[1]
         expected = zeros(self.table.coefficients, (*face.shape, self.table.coefficients.shape[-1]))
         expected[touching] = self.table.expected(face[touching], contact[touching])
         weight = float32(share)[..., None]
@@ -62,42 +55,12 @@ class JointResponse:
         alone = (weight.swapaxes(1, 2) @ expected[..., :channels])[:, 0]
         if face.shape[1] < 2:
             return alone
-        return alone + self._interaction(expected[..., channels:], weight)
-
-    def _interaction(
-        self,
-        moved: Float[Array, "object contact component"],
-        weight: Float[Array, "object contact 1"],
-    ) -> Float[Array, "object channel"]:
-        """Return what motions together do beyond the sum of each alone, to second order."""
-        objects, contacts, components = moved.shape
-        shared = (moved * weight).reshape(objects, contacts, components // 6, 6)
-        each = moved.reshape(shared.shape)
-        together = shared.sum(1)
-        # (Σ w m)(Σ w m)ᵀ − Σ w m mᵀ of each body: 0 for one contact, however often it is split
-        pairs = together[..., :, None] * together[..., None, :]
-        # sums w m mᵀ over contacts: (object, body, component, contact) @ (…, contact, component)
-        contact_last, contact_third = shared.swapaxes(1, 2).swapaxes(2, 3), each.swapaxes(1, 2)
-        pairs = pairs - contact_last @ contact_third
-        return pairs.reshape(objects, -1) @ self.curvature
+        moved = expected[..., channels:].reshape(*face.shape, -1, 6)
+        return alone + interaction_counts(moved, moved * weight[..., None], self.pair_counts)
 
 
 def joint_response(model: ContactModel) -> JointResponse:
     """The response of a forward model, in single precision."""
     both = np.concatenate([model.signals.coefficients, model.motions.coefficients], axis=-1)
-    curvature = np.concatenate([_curvature(model, body) for body in range(len(model.rest))])
-    return JointResponse(replace(model.signals, coefficients=both), curvature.astype(np.float32))
-
-
-def _curvature(model: ContactModel, body: int) -> Float[np.ndarray, "pair channel"]:
-    """Return half the second derivatives of the counts by one body's motion, by central differences."""
-    # (f(+i +j) − f(+i −j) − f(−i +j) + f(−i −j)) / 4; for i = j this is the difference over 2 steps
-    signs = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])
-    ends = np.eye(6) * _STEPS
-    states = np.zeros((6, 6, 4, *model.rest.shape))
-    for corner, (first, second) in enumerate(signs):
-        states[:, :, corner, body] = first * ends[:, None] + second * ends[None]
-    counts = model.counts_of_motions(states.reshape(-1, *model.rest.shape)).reshape(36, 4, -1)
-    # p pair of components, c corner, n channel
-    second = np.einsum("pcn,c->pn", counts, signs.prod(axis=1)) / 4
-    return second / 2 / np.outer(_STEPS, _STEPS).reshape(36, 1)
+    table = replace(model.signals, coefficients=both)
+    return JointResponse(table, model.pair_counts.astype(np.float32))
