@@ -11,6 +11,7 @@ from design.errors import InputError
 from design.layout.body import face_frame
 from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import save_inversion
+from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import press_signals
 from fem.presses.viscoelastic import relaxed_force_n
 from instobj.sim import HallObject
@@ -92,6 +93,14 @@ def test_noise_is_the_chips_and_a_seed_repeats_it(path):
     assert np.all(frames == np.round(frames))
     deviation = frames.std(axis=0).mean(axis=0)
     np.testing.assert_allclose(deviation, one.spec.sensors.noise_counts, rtol=0.05)
+
+
+def test_readings_end_at_the_chips_range(path):
+    place, force = np.array([[0.0, 0.0, 21.0]]), np.array([4.0])
+    strong_ut = 1e6  # ten times what any chip reads
+    most = full_scale_counts(HallObject(path).spec.sensors)
+    read = HallObject(path, ambient_ut=(strong_ut, strong_ut, strong_ut)).read(place, force)
+    np.testing.assert_array_equal(abs(read), most)
 
 
 def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_says(tmp_path):
