@@ -12,6 +12,7 @@ from jaxtyping import Float, Int
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.places.contact_places import filled_places
 from design.spec_io import load_spec
 from estimator.inversion.model.arrays import Array, float32, float64, library, like, zeros
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 __all__ = ["HallObject"]
 
 _MM_PER_M = 1e3
+_PITCH_MM = 3.0
+"""Pitch of a specification's presses, at most: interpolation between those 7 mm apart errs by up to 37 %."""
 _NEAR_IN_TIPS = 1.0
 """Contacts this many tip radii apart press the same silicone by exp(-1)."""
 
@@ -324,10 +327,15 @@ def _find_places(
     places: SurfacePlaces, arrays: dict[str, Array], points_mm: Array, force_n: Array
 ) -> _OnFaces:
     """Return where contact points are pressed by which forces; what pulls off counts as 0."""
-    face, place, normal = places.nearest(points_mm.reshape(-1, 3))
+    vectors = force_n.ndim == 3
+    push = zeros(points_mm, points_mm.shape)
+    if vectors:
+        size = ((force_n**2).sum(-1) ** 0.5)[..., None]
+        push = force_n / (size + (size == 0))
+    face, place, normal = places.nearest(points_mm.reshape(-1, 3), push.reshape(-1, 3))
     shape = points_mm.shape[:2]
     face, pull = face.reshape(shape), None
-    if force_n.ndim == 3:
+    if vectors:
         # friction along x and y of the face; i coordinate of the object, t tangent
         pull = library(force_n).einsum("oci,ocit->oct", force_n, arrays["tangents"][face])
         force_n = (-(force_n * normal.reshape(points_mm.shape)).sum(-1)).clip(0.0)
@@ -347,12 +355,31 @@ def _pressed_to_the_edges(spec_path: Path | str) -> ContactModel:
     from instobj.stages.run import Run
 
     spec = load_spec(Path(spec_path))
-    spec = spec.changed(contact_grid=spec.contact_grid.changed(count="fill"))
+    grid = spec.contact_grid.changed(count="fill", pitch_mm=_pitch_to_the_edges_mm(spec))
+    spec = spec.changed(contact_grid=grid)
     run, shear = Run(spec), None
     forces, motions = run.read(PRESSES)
     if spec.inversion.tangential_share:
         shear = shear_signals(spec, motions, run.read(SHEAR))
     return contact_model(spec, forces, motions, run.read(SIGNALS), shear)
+
+
+def _pitch_to_the_edges_mm(spec: ObjectSpec) -> float:
+    """Return the pitch at which the outermost presses come nearest to the edges of all faces."""
+    frames = face_frames(spec)
+    half_mm = np.array([frame.half_lengths_mm for frame in frames])
+    # a grid has at most 100 locations along an axis
+    coarsest = min(spec.contact_grid.pitch_mm, max(_PITCH_MM, 2 * half_mm.max() / 80))
+    if not all(frame.flat for frame in frames):
+        return coarsest  # beyond a patch lies the next one
+
+    def left_mm(pitch_mm: float) -> float:
+        places = filled_places(spec, pitch_mm).places
+        count = np.column_stack([places.any(axis=across).sum(axis=1) for across in (2, 1)])
+        # the outermost presses lie half a pitch beyond the outermost locations
+        return float((half_mm - count * pitch_mm / 2).max())
+
+    return min((coarsest * np.linspace(1.0, 0.8, 101)).tolist(), key=left_mm)
 
 
 def _friction_changes(

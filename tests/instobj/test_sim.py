@@ -11,6 +11,7 @@ from design.errors import InputError
 from design.layout.body import face_frame
 from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import save_inversion
+from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import press_signals
 from fem.presses.viscoelastic import relaxed_force_n
 from instobj.sim import HallObject
@@ -68,6 +69,30 @@ def test_a_contact_split_in_two_at_its_place_is_the_same_contact(cube):
     assert relative(change(cube, near, [3.0, 3.0]), whole) < 0.05
 
 
+@pytest.mark.parametrize("face", [1, 2, 3, 4, 5])
+@pytest.mark.parametrize("sunk_mm", [0.0, 1.0])
+def test_near_an_edge_the_face_is_felt_that_the_force_presses(cube, face, sunk_mm):
+    """Faces share their edges, and in a simulator bodies sink in: the next face may be nearer."""
+    frame = face_frame(cube.spec, face)
+    half_mm = np.array(frame.half_extents_mm) - 0.3
+    for share in ((1.0, 0.1), (-0.2, 1.0), (-1.0, 0.0), (0.4, -1.0), (1.0, 1.0)):
+        place = np.append(half_mm * share, 0.0)
+        sunk = place - [0.0, 0.0, sunk_mm]
+        push = np.array([[0.0, 0.0, -4.0]]) @ frame.axes.T
+        outermost = np.clip(place[:2], *cube_bounds())
+        expected = change(cube, on_face(cube, face, outermost), push)
+        assert abs(expected).max() > 20
+        np.testing.assert_allclose(change(cube, frame.to_object(sunk[None]), push), expected)
+        if not sunk_mm:
+            normal = change(cube, frame.to_object(place[None]), [4.0])
+            np.testing.assert_allclose(normal, expected)
+
+
+def cube_bounds():
+    """Smallest and largest places of the object's presses, mm."""
+    return [bound[:2] for bound in inverted().model.bounds]
+
+
 def test_nothing_touched_and_what_touches_an_unsensed_side_change_nothing(cube):
     assert not change(cube, np.empty((0, 3)), []).any()
     assert not change(cube, np.array([[0.0, 0.0, -21.0], [60.0, 0.0, 0.0]]), [5.0, 5.0]).any()
@@ -92,6 +117,14 @@ def test_noise_is_the_chips_and_a_seed_repeats_it(path):
     assert np.all(frames == np.round(frames))
     deviation = frames.std(axis=0).mean(axis=0)
     np.testing.assert_allclose(deviation, one.spec.sensors.noise_counts, rtol=0.05)
+
+
+def test_readings_end_at_the_chips_range(path):
+    place, force = np.array([[0.0, 0.0, 21.0]]), np.array([4.0])
+    strong_ut = 1e6  # ten times what any chip reads
+    most = full_scale_counts(HallObject(path).spec.sensors)
+    read = HallObject(path, ambient_ut=(strong_ut, strong_ut, strong_ut)).read(place, force)
+    np.testing.assert_array_equal(abs(read), most)
 
 
 def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_says(tmp_path):

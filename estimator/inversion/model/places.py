@@ -11,11 +11,14 @@ from design.body.surface_chart import FaceFrame
 from estimator.inversion.model.arrays import Array, apply_in_chunks, library, like
 
 _SAMPLES = 16
-"""Points along each side of a face. Half their distance, d, on a sphere of radius R, displaces a place by
-d² / (2 R) at most: 0.1 mm on a ball of 42 mm; flat faces are met exactly."""
+"""Points along each side of a face, in the middles of as many parts: on the border they would be those of the
+next face too. Half their distance, d, on a sphere of radius R, displaces a place by d² / (2 R) at most:
+0.1 mm on a ball of 42 mm; flat faces are met exactly."""
 _OFF_SURFACE_MM = 3.0
 """A contact point farther from a sensed face is on another side: bodies of a simulator sink into each
-other by a fraction of this."""
+other by a fraction of this. By as much a face is nearer that is pushed straight on."""
+_BORDER = 1.01
+"""Share of a face's half extent within which a point is on it: simulators round by less."""
 _CHUNK = 128
 """Points at a time: their distances to all samples fit a second-level cache."""
 _SHIFT_MM = 1e-3
@@ -53,11 +56,15 @@ class SurfacePlaces:
         )
 
     def nearest(
-        self, points_mm: Float[Array, "n 3"]
+        self, points_mm: Float[Array, "n 3"], push: Float[Array, "n 3"]
     ) -> tuple[Int[Array, "n"], Float[Array, "n 2"], Float[Array, "n 3"]]:
-        """Return the nearest face of each point (-1: none), the place on it (mm) and its normal."""
+        """Return the nearest face of each point (-1: none), the place on it (mm) and its normal.
+
+        `push` is the direction of the force, of length 1 or 0 where none is known. Near an edge it
+        decides which face is pressed.
+        """
         xp = library(points_mm)
-        sample = apply_in_chunks(self._nearest_sample, _CHUNK, points_mm)
+        sample = apply_in_chunks(self._nearest_sample, _CHUNK, points_mm, push)
         away = points_mm - self.point_mm[sample]
         normal = self.normal[sample]
         height = (away * normal).sum(-1)
@@ -67,13 +74,16 @@ class SurfacePlaces:
         outside = xp.where(
             self.round[sample], (share**2).sum(-1), abs(share[:, 0]).clip(abs(share[:, 1]))
         )
-        on_face = (outside <= 1 + 1e-9) & (abs(height) <= _OFF_SURFACE_MM)
+        on_face = (outside <= _BORDER) & (abs(height) <= _OFF_SURFACE_MM)
         place = self.place_mm[sample] + self.rate[sample] * shift
         return xp.where(on_face, self.face[sample], -1), place, normal
 
-    def _nearest_sample(self, points_mm: Float[Array, "n 3"]) -> Int[Array, "n"]:
-        # |p − s|² without the |p|² that all samples share
-        return library(points_mm).argmin(self.squared_mm2 - 2 * points_mm @ self.point_mm.T, 1)
+    def _nearest_sample(
+        self, points_mm: Float[Array, "n 3"], push: Float[Array, "n 3"]
+    ) -> Int[Array, "n"]:
+        # |p − s|² without the |p|² that all samples share, and d² less where a push f meets n: + d² f·n
+        towards = points_mm @ self.point_mm.T - 0.5 * _OFF_SURFACE_MM**2 * push @ self.normal.T
+        return library(points_mm).argmin(self.squared_mm2 - 2 * towards, 1)
 
 
 def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
@@ -83,7 +93,7 @@ def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
 
 
 def _face_samples(index: int, frame: FaceFrame) -> tuple[np.ndarray, ...]:
-    share = np.linspace(-1, 1, _SAMPLES)
+    share = (2 * np.arange(_SAMPLES) + 1) / _SAMPLES - 1
     xy = np.stack(np.meshgrid(share, share), axis=-1).reshape(-1, 2) * frame.half_extents_mm
     xy = xy[frame.covers(xy)]
     point, normal = frame.to_object(np.pad(xy, ((0, 0), (0, 1)))), frame.axes_at(xy)[..., 2]

@@ -24,7 +24,10 @@ def nodes(context):
     )
     if not values["urdf"]:
         return [reader]
-    description = {"robot_description": Path(values["urdf"]).read_text()}
+    urdf = Path(values["urdf"]).resolve()
+    # RViz reads the description without its folder, so meshes get their whole path
+    meshes = f'filename="{urdf.parent.as_uri()}/'
+    description = {"robot_description": urdf.read_text().replace('filename="', meshes)}
     publisher = Node(
         package="robot_state_publisher",
         executable="robot_state_publisher",

@@ -94,6 +94,57 @@ def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):
     assert sum(row["contacts"] == "2" for row in rows if int(row["frame"]) >= 10) >= 8
 
 
+def sent_to(mcap):
+    """Stamps (s) of every topic of an MCAP file, and the documents of its contacts."""
+    reader, stamps, documents = pytest.importorskip("mcap.reader"), {}, []
+    with mcap.open("rb") as file:
+        for _, channel, message in reader.make_reader(file).iter_messages():
+            stamps.setdefault(channel.topic, []).append(message.log_time / 1e9)
+            if channel.topic == "/instobj/contacts":
+                documents.append(json.loads(message.data))
+    return stamps, documents
+
+
+TOPICS = {
+    *("/instobj/contacts", "/instobj/wrench", "/instobj/scene"),
+    *(f"/instobj/heatmap_{face}" for face in range(1, 6)),
+}
+
+
+def test_a_recordings_contacts_go_to_foxglove_with_its_stamps(folder, tmp_path):
+    mcap, arguments = tmp_path / "a.mcap", ["predict", folder / "contacts.nc", folder / "grasp.csv"]
+    document = told([*arguments, "--zero", "first", "--out", mcap])
+    assert {row["path"] for row in document["files"]} >= {str(mcap)}
+    stamps, documents = sent_to(mcap)
+    assert set(stamps) == TOPICS
+    for sent in stamps.values():
+        np.testing.assert_allclose(sent, np.arange(8, 16) / 10, atol=1e-9)
+    with (tmp_path / "runs" / "grasp" / "contacts.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    for frame in documents:
+        tabled = [row for row in rows if int(row["frame"]) == frame["frame"] and row["face"]]
+        assert [str(contact["face"]) for contact in frame["contacts"]] == [
+            row["face"] for row in tabled
+        ]
+
+
+def test_a_boards_contacts_go_to_foxglove(folder, tmp_path):
+    rng = np.random.default_rng(3)
+
+    def lines(number):
+        return encode_frame(number, 10 * number, rng.normal(300, 20, 45).round().tolist())
+
+    arguments = ["predict", folder / "contacts.nc", "--zero", "first", "--frames", "20"]
+    with dummy_board(lines, channels=CHANNELS) as port:
+        arguments += ["--port", port, "--out", tmp_path / "board.mcap"]
+        done = CliRunner().invoke(app, [*map(str, arguments)])
+    assert done.exit_code == 0, done.output
+    stamps, documents = sent_to(tmp_path / "board.mcap")
+    assert set(stamps) == TOPICS
+    assert documents == [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(documents) == 20
+
+
 def test_a_chip_that_stands_still_makes_no_contacts_in_a_recording(folder, tmp_path):
     """62 frames at rest; it was believed, and ghosts were told in most of them."""
     rng = np.random.default_rng(7)
