@@ -1,8 +1,7 @@
 """Layout search in a specification: what may change, limits, objectives.
 
 Everything that is left out of `[search.vary]` stays as the specification has it. Lists are choices:
-the mechanics of every shell (thickness, core, silicone, magnet's outline) is solved once, in
-minutes, and a shell that came up before costs nothing. Ranges are continuous.
+the mechanics of every magnet's outline is solved once, in minutes. Ranges are continuous.
 """
 
 from __future__ import annotations
@@ -19,7 +18,6 @@ from design.spec.base import (
     Force,
     Length,
     SpecPart,
-    Wall,
 )
 
 Objective = Literal[
@@ -43,17 +41,14 @@ class VarySpec(SpecPart):
     """Variables that may change; magnets, and sensors that move, have one layout for all faces, one for
     each size of face (`layouts`: half extents within 10 %), or one for each; depths, tilts and
     poles are the same on all. Where there are several, names of places in trials begin with `face` and
-    the first face that has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for
-    each by itself.
+    the first face that has them. `magnet_sizes` are catalogued magnets, one for each place.
 
-    A changed magnet keeps its pocket's clearance and the silicone above it; where thickness
-    changes, the core stays and the body grows or shrinks. `magnet_reach_mm` and `sensor_reach_mm`
-    limit |x| and |y|.
+    A changed magnet keeps its pocket's clearance and the silicone above it. `magnet_reach_mm` and
+    `sensor_reach_mm` limit |x| and |y|.
     """
 
     layouts: Literal["one", "per size", "per face"] = "per size"
     magnet_count: Annotated[tuple[Count, ...], Some, Distinct] | None = None
-    magnet_part: Annotated[tuple[str, ...], Some, Distinct] | None = None
     magnet_sizes: Annotated[tuple[str, ...], Some, Distinct] | None = None
     magnet_reach_mm: Length | None = None
     magnet_depth_mm: Range | None = None
@@ -64,7 +59,6 @@ class VarySpec(SpecPart):
     ) = None
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
-    shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> VarySpec:
