@@ -72,6 +72,7 @@ REMOVED = {
     "search.batch": "a batch has a layout for each process, 64 on a card, 16 without polish_steps",
     "search.compliance_mm_per_n": "layouts are not judged by softness",
     "search.engine": "layouts begin at random, choices by turns, and are improved by CMA-ES",
+    "search.leaders": "three times as many as search.finalists",
     "search.limits.board_gap_mm": "printer.wall_mm stays between two recesses",
     "search.limits.build_minutes": "parts are counted by search.vary.magnet_count and sensor_count",
     "search.limits.cost": "parts are counted by search.vary.magnet_count and sensor_count",

@@ -105,8 +105,8 @@ class SearchSpec(SpecPart):
     generations of CMA-ES, about a hundred scorings each. `trials` that choices and processes do
     not need are joined to fewer, of up to 600 generations each. `seconds` are those of a whole call,
     mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
-    Each has as many generations as its time holds; one beyond `trial_limit_s` is given up. `leaders` go to
-    the second fidelity level (rigid magnets), `finalists` to the last.
+    Each has as many generations as its time holds; one beyond `trial_limit_s` is given up. Three
+    times as many as `finalists` go to the second fidelity level (rigid magnets), these to the last.
     Bounds are of a baseline that is `sensors.zeroing_counts` off.
     """
 
@@ -117,7 +117,6 @@ class SearchSpec(SpecPart):
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
-    leaders: Annotated[int, Field(ge=1, le=100_000)] = 6
     finalists: Annotated[int, Field(ge=1, le=10_000)] = 2
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
@@ -143,10 +142,5 @@ class SearchSpec(SpecPart):
         if len(set(self.objectives)) < len(self.objectives):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
-            )
-        if self.finalists > self.leaders:
-            raise ValueError(
-                f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
-                "more leaders"
             )
         return self

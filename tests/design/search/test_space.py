@@ -154,7 +154,6 @@ WRONG = {
     "magnet_count needs": {"vary": {"magnet_count": [4, 5]}},
     "must rise": {"vary": {"magnet_depth_mm": [4.0, 2.0]}},
     "names one twice": {"objectives": ["worst_force_bound_n", "worst_force_bound_n"]},
-    "more leaders": {"leaders": 1, "finalists": 2},
 }
 
 

@@ -215,7 +215,6 @@ depths_mm = [1.0, 2.0, 4.0]
 [search]
 trials = 24
 polish_steps = 20
-leaders = 3
 finalists = 1
 [search.vary]
 magnet_reach_mm = 15.0
