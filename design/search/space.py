@@ -20,7 +20,6 @@ from design.search.structure import (
     SIZE,
     STRUCTURE,
     part_names,
-    structure_choices,
     with_structure,
 )
 from design.spec.magnets import MagnetSpec
@@ -162,7 +161,11 @@ def unit_of(space: SearchSpace, params: Params) -> Float[np.ndarray, "variable"]
 def start_params(space: SearchSpace) -> dict[str, Any] | None:
     """The specification's own layout as variables; None where the space does not hold it."""
     spec = space.spec
-    values_by_name: dict[str, Any] = structure_choices(spec)
+    values_by_name: dict[str, Any] = {
+        "magnet_count": spec.magnets.count,
+        "sensor_count": spec.sensors.count_per_face,
+        "sensor_chip": spec.sensors.chip,
+    }
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
     norths, parts = spec.magnets.north or ("outward",) * len(tilts), part_names(spec.magnets)
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
@@ -307,13 +310,6 @@ def _pair(name: str, axes: tuple[str, str], reach: Reach) -> list[Variable]:
 
 def _check(spec: ObjectSpec) -> None:
     vary: VarySpec = spec.search.vary
-    for key in ("magnet_part", "magnet_sizes"):
-        for name in getattr(vary, key) or ():
-            if magnet_part(name).shape == "block":
-                raise InputError(
-                    f"search.vary.{key} = {name!r} is a block; a search takes round magnets only. "
-                    "Leave it out"
-                )
     magnets = spec.magnets
     _check_sizes(vary, magnets)
     listed = (magnets.depth_mm, magnets.grade, magnets.remanence_t)
@@ -330,12 +326,12 @@ def _check(spec: ObjectSpec) -> None:
 def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
     if vary.magnet_sizes is None:
         return
-    if vary.magnet_part is not None:
-        raise InputError(
-            "search.vary.magnet_part chooses one magnet for all places, search.vary.magnet_sizes one for "
-            "each. Leave one of the two out"
-        )
     parts = [magnet_part(name) for name in vary.magnet_sizes]
+    blocks = [part.name for part in parts if part.shape == "block"]
+    if blocks:
+        raise InputError(
+            f"search.vary.magnet_sizes takes round magnets only; got {blocks}. Leave them out"
+        )
     if len({part.shape for part in parts}) > 1:
         raise InputError(
             f"search.vary.magnet_sizes must be of one shape; got {list(vary.magnet_sizes)}. Choose disks or "

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Any
 
-from design.catalogue.magnets import MAGNET_PARTS, magnet_part
+from design.catalogue.magnets import MAGNET_PARTS
 from design.search.places import choices_of_magnets
 from design.spec.assembly import AsBuiltSpec
 from design.spec.magnets import MagnetSpec
@@ -15,10 +14,8 @@ from design.spec.sensors import SensorSpec
 
 STRUCTURE = (
     "magnet_count",
-    "magnet_part",
     "sensor_count",
     "sensor_chip",
-    "shell_thickness_mm",
 )
 """Choices between which places are not comparable; a batch is scored structure by structure."""
 SIZE = "_size"
@@ -32,16 +29,14 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
     """
     chosen = {name: params[name] for name in STRUCTURE if name in params}
     update: dict[str, Any] = {"as_built": AsBuiltSpec()}
-    if "magnet_part" in chosen:
-        update |= _with_part(spec, chosen["magnet_part"])
+    magnets = spec.magnets
     if "magnet_count" in chosen:
-        unplaced = _unplaced(spec, chosen["magnet_count"])
-        update["magnets"] = update.get("magnets", spec.magnets).changed(**unplaced)
+        magnets = magnets.changed(**_unplaced(spec, chosen["magnet_count"]))
+        update["magnets"] = magnets
     if spec.search.vary.magnet_sizes is not None:
-        counted = _constructed(spec, {"magnets": update.get("magnets", spec.magnets)})
+        counted = _constructed(spec, {"magnets": magnets})
         parts = tuple(choices_of_magnets(counted, params, "size"))
-        update |= _with_magnets(spec, _changes_for_parts(counted.magnets, parts))
-    update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
+        update |= _with_magnets(spec, _with_parts(magnets, parts))
     update["sensors"] = _with_sensors(spec, chosen)
     return _constructed(spec, update)
 
@@ -58,24 +53,12 @@ def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
     return reset | {"positions_mm": ((0.0, 0.0),) * count}
 
 
-def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
-    """Another magnet for all places."""
-    graded = magnet_part(name).grade
-    new = _changes_for_parts(spec.magnets, name, {} if graded is None else {"grade": graded})
-    return _with_magnets(spec, new)
-
-
-def _changes_for_parts(
-    magnets: MagnetSpec,
-    part: str | tuple[str, ...],
-    graded: Mapping[str, Any] = MappingProxyType({}),
-) -> MagnetSpec:
+def _with_parts(magnets: MagnetSpec, part: str | tuple[str, ...]) -> MagnetSpec:
+    """Magnets of another size, or of a size each."""
     kept = magnets.model_dump(
         exclude={"shape", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm"}
     )
-    if graded:
-        kept.pop("remanence_t")
-    return MagnetSpec.model_validate({**kept, **graded, "part": part})
+    return MagnetSpec.model_validate({**kept, "part": part})
 
 
 def _with_magnets(spec: ObjectSpec, new: MagnetSpec) -> dict[str, Any]:
@@ -94,17 +77,6 @@ def _with_magnets(spec: ObjectSpec, new: MagnetSpec) -> dict[str, Any]:
         "pocket_depth_mm": round(shell.pocket_depth_mm + taller, 9),
     }
     return {"magnets": new, "shell": shell.changed(**pocket)}
-
-
-def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[str, Any]:
-    thickness = chosen.get("shell_thickness_mm")
-    if thickness is None:
-        return {"shell": shell}
-    size = tuple(edge + 2 * thickness for edge in spec.core_size_mm)
-    return {
-        "shell": shell.changed(thickness_mm=thickness),
-        "body": spec.body.changed(size_mm=size),
-    }
 
 
 def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
@@ -150,7 +122,7 @@ def searched_size_variants(spec: ObjectSpec) -> list[ObjectSpec]:
     by_size = {of_size.magnets.sizes[0]: of_size for of_size in size_variants(spec)}
     if spec.arrangement == "sensors-in-core":
         for name in spec.search.vary.magnet_sizes or ():
-            of_size = _constructed(spec, _with_part(spec, name))
+            of_size = _constructed(spec, _with_magnets(spec, _with_parts(spec.magnets, name)))
             by_size.setdefault(of_size.magnets.sizes[0], of_size)
     return list(by_size.values())
 
@@ -173,16 +145,3 @@ def _part_name(magnets: MagnetSpec, index: int) -> str | None:
     figures = {key: getattr(size, key) for key in ("shape", "height_mm", "diameter_mm")}
     figures["inner_diameter_mm"] = size.inner_diameter_mm
     return next((name for name, part in MAGNET_PARTS.items() if part.figures() == figures), None)
-
-
-def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
-    """The specification's own values of all choices; a magnet is named where all are one known part."""
-    magnets, sensors = spec.magnets, spec.sensors
-    parts = set(part_names(magnets))
-    return {
-        "magnet_count": magnets.count,
-        "magnet_part": parts.pop() if len(parts) == 1 else None,
-        "sensor_count": sensors.count_per_face,
-        "sensor_chip": sensors.chip,
-        "shell_thickness_mm": spec.shell.thickness_mm,
-    }

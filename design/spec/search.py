@@ -1,8 +1,7 @@
 """Layout search in a specification: what may change, limits, objectives.
 
 Everything that is left out of `[search.vary]` stays as the specification has it. Lists are choices:
-the mechanics of every shell (thickness, core, silicone, magnet's outline) is solved once, in
-minutes, and a shell that came up before costs nothing. Ranges are continuous.
+the mechanics of every magnet's outline is solved once, in minutes. Ranges are continuous.
 """
 
 from __future__ import annotations
@@ -19,7 +18,6 @@ from design.spec.base import (
     Force,
     Length,
     SpecPart,
-    Wall,
 )
 
 Objective = Literal[
@@ -43,17 +41,14 @@ class VarySpec(SpecPart):
     """Variables that may change; magnets, and sensors that move, have one layout for all faces, one for
     each size of face (`layouts`: half extents within 10 %), or one for each; depths, tilts and
     poles are the same on all. Where there are several, names of places in trials begin with `face` and
-    the first face that has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for
-    each by itself.
+    the first face that has them. `magnet_sizes` are catalogued magnets, one for each place.
 
-    A changed magnet keeps its pocket's clearance and the silicone above it; where thickness
-    changes, the core stays and the body grows or shrinks. `magnet_reach_mm` and `sensor_reach_mm`
-    limit |x| and |y|.
+    A changed magnet keeps its pocket's clearance and the silicone above it. `magnet_reach_mm` and
+    `sensor_reach_mm` limit |x| and |y|.
     """
 
     layouts: Literal["one", "per size", "per face"] = "per size"
     magnet_count: Annotated[tuple[Count, ...], Some, Distinct] | None = None
-    magnet_part: Annotated[tuple[str, ...], Some, Distinct] | None = None
     magnet_sizes: Annotated[tuple[str, ...], Some, Distinct] | None = None
     magnet_reach_mm: Length | None = None
     magnet_depth_mm: Range | None = None
@@ -64,7 +59,6 @@ class VarySpec(SpecPart):
     ) = None
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
-    shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> VarySpec:
@@ -111,8 +105,8 @@ class SearchSpec(SpecPart):
     generations of CMA-ES, about a hundred scorings each. `trials` that choices and processes do
     not need are joined to fewer, of up to 600 generations each. `seconds` are those of a whole call,
     mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
-    Each has as many generations as its time holds; one beyond `trial_limit_s` is given up. `leaders` go to
-    the second fidelity level (rigid magnets), `finalists` to the last.
+    Each has as many generations as its time holds; one beyond `trial_limit_s` is given up. Three
+    times as many as `finalists` go to the second fidelity level (rigid magnets), these to the last.
     Bounds are of a baseline that is `sensors.zeroing_counts` off.
     """
 
@@ -123,7 +117,6 @@ class SearchSpec(SpecPart):
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
-    leaders: Annotated[int, Field(ge=1, le=100_000)] = 6
     finalists: Annotated[int, Field(ge=1, le=10_000)] = 2
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
@@ -149,10 +142,5 @@ class SearchSpec(SpecPart):
         if len(set(self.objectives)) < len(self.objectives):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
-            )
-        if self.finalists > self.leaders:
-            raise ValueError(
-                f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
-                "more leaders"
             )
         return self

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from design.files import atomic_path
-from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
 from estimator.layouts.fidelity import FidelityScore, lowest_fidelity_score
 from estimator.layouts.scorer import LayoutScorer
@@ -34,19 +33,16 @@ from instobj.store.content import store_root
 from instobj.store.readers import SECOND_FIDELITY, SIGNALS
 
 _KEPT = {field.name for field in fields(FidelityScore)}
-_SCORER_CHOICES = ("sensor_chip", "shell_thickness_mm")
-"""Layouts that share these choices and the magnets' sizes share mechanics and scorers."""
 
 Score = Callable[[ObjectSpec], FidelityScore]
 
 
 def lowest_scoring() -> AbstractContextManager[Score]:
-    """Scorers of the lowest level, the same ones for layouts that share them."""
+    """Scorers of the lowest level, the same ones for layouts of the same chips and magnets."""
     scorers_by_key: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
     def score(spec: ObjectSpec) -> FidelityScore:
-        choices = structure_choices(spec)
-        key = *(choices[name] for name in _SCORER_CHOICES), *spec.magnets.sizes
+        key = spec.sensors.chip, *spec.magnets.sizes
         if key not in scorers_by_key:
             scorers_by_key[key] = scorers(spec, single_faces(spec.body.sensed))
         return lowest_fidelity_score(spec, scorers_by_key[key])

@@ -13,7 +13,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from design.errors import InputError
-from design.layout.body import body_of, face_frames
+from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.pockets import shell_bodies
@@ -45,7 +45,7 @@ _UNKNOWNS = 6
 _STARTS = 24
 _STEPS, WALKS = 30, 5
 _STRUCTURES = 24
-"""Drawn at random; a search of more kinds of shells and counts than that has some that fit."""
+"""Drawn at random; a search of more sizes and counts than that has some that fit."""
 
 
 @dataclass(frozen=True)
@@ -84,11 +84,6 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
 def _require_known_on(spec: ObjectSpec) -> None:
     """Refuse what may not vary on a body of this kind."""
     vary, kind = spec.search.vary, spec.body.kind
-    if vary.shell_thickness_mm is not None and not body_of(spec).cuboid:
-        raise InputError(
-            "search.vary.shell_thickness_mm makes the body grow round its core, which is known for boxes; "
-            f"got body.kind = {kind!r}. Leave it out, and search once for each thickness"
-        )
     if vary.magnet_depth_mm is not None and spec.arrangement == "sensors-in-shell":
         raise InputError(
             "search.vary.magnet_depth_mm is that of magnets in the shell; with arrangement = "

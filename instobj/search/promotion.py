@@ -30,6 +30,8 @@ from instobj.store.readers import FINDINGS, METRICS
 
 _APART = 0.05
 """Share of the unit cube: leaders differ by at least that much in some variable."""
+_LEADERS_PER_FINALIST = 3
+"""Of three, one that cannot be fabricated or is worse at the second level makes room for another."""
 _SAME = 1e-3
 """Share of a variable's range: a trial as near the start in all variables is the start, rounded."""
 _ALLOWANCE = 1.25
@@ -64,7 +66,7 @@ class Promoter:
         Tensors take one thread: two gain little here, and wait for each other where other programs run.
         Where time runs short, fewer leaders and fewer finalists, at least one of each.
         """
-        trials = leaders(self.space, kept, self.search.leaders)
+        trials = leaders(self.space, kept, _LEADERS_PER_FINALIST * self.search.finalists)
         if not trials:
             return None
         twins = self._judge_start()
@@ -174,7 +176,7 @@ class Promoter:
         if not finalists:
             raise InputError(
                 "no leader could be fabricated and scored at the higher fidelity levels: see the reasons "
-                "above. Raise search.leaders and go on with --resume"
+                "above. Raise search.finalists and go on with --resume"
             )
         return finalists, ranked
 

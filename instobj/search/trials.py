@@ -18,7 +18,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from instobj.store.keys import content_key
 
-_BUDGET = ("trials", "seconds", "leaders", "finalists", "polish_steps")
+_BUDGET = ("trials", "seconds", "finalists", "polish_steps")
 """Keys of `[search]` that may change while a search goes on."""
 _MATTERS_NOT = ("name", "as_built", "collection")
 """The first line holds the name; the others change no score on any level."""

@@ -98,21 +98,15 @@ def _moved_sensors(
 
 def _other_changes(start: ObjectSpec, changed: ObjectSpec) -> list[tuple[str, str, str]]:
     def stated(spec: ObjectSpec) -> list[str]:
-        size = " × ".join(f"{edge:g}" for edge in spec.body.size_mm)
         magnets, sensors = spec.magnets, spec.sensors
         return [
             str(magnets.count),
             ", ".join(size.told for size in magnets.distinct_sizes),
             str(sensors.count_per_face),
             sensors.chip,
-            f"±{sensors.range_mt:g} mT",
-            f"{spec.shell.thickness_mm:g} mm",
-            spec.silicone.name,
-            f"{size} mm",
         ]
 
-    labels = ("magnets per face", "magnet", "sensors per face", "chips", "range", "shell", "silicone",
-              "body")  # fmt: skip
+    labels = ("magnets per face", "magnet", "sensors per face", "chips")
     return list(zip(labels, stated(start), stated(changed), strict=True))
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from design.search.places import magnet_maps, polarities, sensor_maps
 from design.search.space import params_at, search_space, unit_of, with_layout
-from design.search.structure import STRUCTURE, with_structure
+from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
 from tests.support.physics_pages import assert_page
 
@@ -29,8 +29,7 @@ CASES = {
     },
     "parts": {
         "vary": {
-            "magnet_part": ["D4x2", "MP 12x5x2 / N38"],
-            "shell_thickness_mm": [8.0, 9.5],
+            "magnet_sizes": ["D4x2", "D5x1.5"],
             "sensor_chip": ["inward", "outward"],
         }
     },
@@ -71,19 +70,15 @@ def of_space(name):
 
 def of_structure(pick):
     spec = spec_of("parts")
-    params = {
-        key: getattr(spec.search.vary, key)[pick]
-        for key in STRUCTURE
-        if getattr(spec.search.vary, key)
-    }
+    params = {variable.name: variable.choices[pick] for variable in search_space(spec).variables}
     chosen = with_structure(spec, params)
     magnets, shell, sensors = chosen.magnets, chosen.shell, chosen.sensors
     yield (
         f"parts, choice {pick}: magnet, pocket, shell, body (mm), counts a mT, modulus (MPa)",
         [
-            magnets.diameter_mm,
-            magnets.inner_diameter_mm,
-            magnets.height_mm,
+            magnets.sizes[0].diameter_mm,
+            magnets.sizes[0].inner_diameter_mm,
+            magnets.sizes[0].height_mm,
             shell.pocket_diameter_mm,
             shell.pocket_depth_mm,
             shell.thickness_mm,

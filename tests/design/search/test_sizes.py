@@ -91,17 +91,8 @@ def test_the_start_is_a_layout_where_its_sizes_are_choices(magnets, holds):
         assert with_layout(spec, start).magnets.sizes == spec.magnets.sizes
 
 
-def test_one_part_for_all_is_no_start_of_several():
-    part = {"magnet_sizes": None, "magnet_part": ["D6x1", "D4x2"]}
-    alike = specification(part, {"part": "D4x2"})
-    assert start_params(search_space(alike)) == {"magnet_part": "D4x2"}
-    mixed = specification(part, {"part": ["D6x1", "D4x2", "D4x2", "D6x1", "D6x1"]})
-    assert start_params(search_space(mixed)) is None
-
-
 WRONG = {
-    "one magnet for all places": {"vary": {"magnet_part": ["D6x1"]}},
-    "magnet_sizes = 'B5x5x1' is a block": {"vary": {"magnet_sizes": ["B5x5x1"]}},
+    r"takes round magnets only; got \['B5x5x1'\]": {"vary": {"magnet_sizes": ["B5x5x1"]}},
     "must be of one shape": {"vary": {"magnet_sizes": ["D6x1", "R6x2x2"]}},
     "sold in all grades; got": {"vary": {"magnet_sizes": ["MP 12x5x2 / N38"]}},
     "'D99x1' is not in the catalogue": {"vary": {"magnet_sizes": ["D6x1", "D99x1"]}},

@@ -76,7 +76,6 @@ search.vary.magnet_depth_mm=% | [0.1,3] | [0,3] | magnet_depth_mm
 search.vary.magnet_count=[2,3] search.vary.%=9 | magnet_reach_mm | sensor_reach_mm | needs search.vary.magnet
 search.vary.sensor_count=[2,3] search.vary.%=9 | sensor_reach_mm | magnet_reach_mm | needs search.vary.sensor
 search.forces_n=% | [2,5] | [5,5] | must increase strictly
-search.leaders=3 search.finalists=% | 3 | 4 | come from search.leaders = 3
 mechanics.correction=large-strain mechanics.element=% | taylor-hood | p2-p0 | correction
 mechanics.correction=large-strain mechanics.interface=% | bonded | frictionless | correction
 mechanics.correction=large-strain mechanics.slip.shift_mm=[0,0,%] | 0 | 0.1 | correction

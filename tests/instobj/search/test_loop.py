@@ -34,7 +34,7 @@ def test_starts_find_a_known_optimum(tmp_path):
     kept = searched(tmp_path / "trials.jsonl", trials=192)
     best = min(kept.finished, key=lambda trial: trial.values[0])
     assert best.params["magnet_count"] == 1
-    assert best.params["shell_thickness_mm"] == 9.0
+    assert best.params["sensor_chip"] == "outward"
     for name, value in OPTIMUM.items():
         assert abs(best.params[name] - value) < 4.5
 
@@ -180,19 +180,19 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     assert all(trial.feasible for trial in trials)
 
 
-def _slow_on_thin_shells(trials, seconds):
-    if trials[0]["shell_thickness_mm"] == 8.0:
+def _slow_on_chips_inward(trials, seconds):
+    if trials[0]["sensor_chip"] == "inward":
         raise WorkerTimeout(f"no result after {seconds:g} s")
     return made_up_score(trials, seconds)
 
 
 def test_trials_given_up_are_kept_as_failed_and_the_search_goes_on(tmp_path):
     path = tmp_path / "trials.jsonl"
-    kept = searched(path, score=_slow_on_thin_shells, trials=64)
+    kept = searched(path, score=_slow_on_chips_inward, trials=64)
     failed = [trial for trial in kept.trials if trial.failure]
-    assert {trial.params["shell_thickness_mm"] for trial in failed} == {8.0}
+    assert {trial.params["sensor_chip"] for trial in failed} == {"inward"}
     assert all("no result" in trial.failure and not trial.feasible for trial in failed)
-    assert {trial.params["shell_thickness_mm"] for trial in kept.finished} == {9.0}
+    assert {trial.params["sensor_chip"] for trial in kept.finished} == {"outward"}
     assert open_trials(made_up_space(trials=64).spec, path, resume=True).trials == kept.trials
 
 
@@ -270,7 +270,7 @@ def test_generations_that_the_time_did_not_hold_are_said_once(tmp_path):
 def test_why_trials_have_no_result_is_said(tmp_path):
     space, said = made_up_space(trials=8), []
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")
-    run_search(space, kept, answering(_slow_on_thin_shells), said.append)
+    run_search(space, kept, answering(_slow_on_chips_inward), said.append)
     reason, standing = said
     assert reason.startswith("no result, kept as failed: no result after")
     assert standing.startswith("8 of 8 trials")

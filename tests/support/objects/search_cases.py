@@ -17,7 +17,7 @@ _KNOWN = {}
 
 
 def made_up_spec(name="cube", seed=1, reach=14.0, **search):
-    vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
+    vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "sensor_chip": ["inward", "outward"]}
     content = {"trials": 300, "polish_steps": 0, "vary": vary} | search
     key = f"{name} {seed} {content}"
     if key not in _KNOWN:
@@ -33,7 +33,7 @@ def made_up_space(**search):
 
 
 def made_up_score(trials, seconds):
-    """Least at one magnet at (5, −3) under 9 mm; the second objective's least is at (−5, 6)."""
+    """Least at one magnet at (5, −3) with chips outward; the second objective's least is at (−5, 6)."""
     found = [_scores(trial) for trial in trials]
     return [
         Scored(trial, (scores["worst_position_bound_mm"],), scores, 0.0, "", 1)
@@ -51,7 +51,7 @@ def made_up_scores(trials, seconds):
 
 def _scores(trial):
     x, y = trial["magnet1_x_mm"], trial["magnet1_y_mm"]
-    worse = (trial["magnet_count"] == 2) + 0.5 * (trial["shell_thickness_mm"] == 8.0)
+    worse = (trial["magnet_count"] == 2) + 0.5 * (trial["sensor_chip"] == "inward")
     return {
         "worst_position_bound_mm": 0.01 + ((x - 5) ** 2 + (y + 3) ** 2) / 100 + worse,
         "worst_force_bound_n": 0.01 + ((x + 5) ** 2 + (y - 6) ** 2) / 100 + worse,
