@@ -19,7 +19,7 @@ def test_a_ball_on_a_turned_object_is_felt_with_its_weight_in_every_environment(
     genesis.init(backend=genesis.cpu, logging_level="error")
     options = genesis.options.SimOptions(dt=STEP_S)
     scene = genesis.Scene(show_viewer=False, sim_options=options)
-    # turned by 90° about x: the object's -y, face 2 or another, looks up
+    # turned by 90° about x, so that a side face looks up
     cube = scene.add_entity(
         genesis.morphs.Box(size=(0.042,) * 3, pos=(0.1, 0, 0.3), euler=(90, 0, 0), fixed=True)
     )
