@@ -36,6 +36,7 @@ class SurfacePlaces:
     xy_mm, across : place in the face's plane, and its change with the point
     place_mm, rate : lengths along the surface, and their change with x and y
     half_mm, round : extents of the face, and whether it is an ellipse
+    squared_mm2, towards : a point p under a push f is nearest where squared − 2 towards · (p, f) is least
     """
 
     point_mm: Float[Array, "sample 3"]
@@ -48,6 +49,7 @@ class SurfacePlaces:
     half_mm: Float[Array, "sample 2"]
     round: Bool[Array, "sample"]
     squared_mm2: Float[Array, "sample"]
+    towards: Float[Array, "sample 6"]
 
     def moved_to(self, reference: Array) -> SurfacePlaces:
         """The same where the reference is."""
@@ -64,7 +66,8 @@ class SurfacePlaces:
         decides which face is pressed.
         """
         xp = library(points_mm)
-        sample = apply_in_chunks(self._nearest_sample, _CHUNK, points_mm, push)
+        pressed = xp.concatenate([points_mm, push], -1)
+        sample = apply_in_chunks(self._nearest_sample, _CHUNK, pressed)
         away = points_mm - self.point_mm[sample]
         normal = self.normal[sample]
         height = (away * normal).sum(-1)
@@ -78,12 +81,8 @@ class SurfacePlaces:
         place = self.place_mm[sample] + self.rate[sample] * shift
         return xp.where(on_face, self.face[sample], -1), place, normal
 
-    def _nearest_sample(
-        self, points_mm: Float[Array, "n 3"], push: Float[Array, "n 3"]
-    ) -> Int[Array, "n"]:
-        # |p − s|² without the |p|² that all samples share, and d² less where a push f meets n: + d² f·n
-        towards = points_mm @ self.point_mm.T - 0.5 * _OFF_SURFACE_MM**2 * push @ self.normal.T
-        return library(points_mm).argmin(self.squared_mm2 - 2 * towards, 1)
+    def _nearest_sample(self, pressed: Float[Array, "n 6"]) -> Int[Array, "n"]:
+        return library(pressed).argmin(self.squared_mm2 - 2 * pressed @ self.towards.T, 1)
 
 
 def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
@@ -105,4 +104,6 @@ def _face_samples(index: int, frame: FaceFrame) -> tuple[np.ndarray, ...]:
     columns = (np.full(len(xy), index), xy, across, frame.from_plane(xy), rate)
     half = np.broadcast_to(frame.half_extents_mm, xy.shape)
     around, squared = np.full(len(xy), frame.round), np.sum(point**2, axis=1)
-    return point, normal, *columns, half, around, squared
+    # |p − s|² without the |p|² that all samples share, and d² less where a push f meets n: + d² f·n
+    towards = np.hstack([point, -0.5 * _OFF_SURFACE_MM**2 * normal])
+    return point, normal, *columns, half, around, squared, towards
