@@ -137,17 +137,14 @@ class InversionSpec(SpecPart):
     bear alike within 30 %. `jaws`: two of them press two faces alike (within 30 %), with as many tips
     each. `model_error` is the error of the forward model relative to the signals; left out, it is what
     `[tolerances]` make of the design, or what a calibrated twin leaves over.
-    A frame is read together with those before it, `window_frames` in all, as the mean of a hold; 1 reads
-    every frame by itself. Contacts may pull sideways by up to `tangential_share` of their normal force
-    (twice the standard deviation that is believed along each axis), which is then read too; 0 takes
-    them for frictionless.
+    Contacts may pull sideways by up to `tangential_share` of their normal force (twice the standard
+    deviation that is believed along each axis), which is then read too; 0 takes them for frictionless.
     """
 
     contacts: Annotated[int, Field(ge=1, le=8)] = 6
     probes: Literal["free", "known"] = "free"
     jaws: bool = False
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
-    window_frames: Annotated[int, Field(ge=1, le=100_000)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
 
 

@@ -40,6 +40,7 @@ REMOVED = {
     "indenter.yaw_deg": "it is the first of indenter.turn_deg",
     "inversion.drift_counts": "sensors.zeroing_counts is the error of the zero",
     "inversion.least_force_n": "contacts of 0.2 N and more are read",
+    "inversion.window_frames": "every frame is read by itself; sensors.averaging lowers its noise",
     "limits.saturation_margin": "a tenth of the sensors' range stays free",
     "load_cell.capacity_n": "load_cell.scale_n is the capacity over the output, in N per mV/V",
     "load_cell.newtons_per_v": "load_cell.scale_n is newtons per volt of an analog sensor",

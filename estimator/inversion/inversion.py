@@ -95,11 +95,6 @@ class Inversion:
         """Return the jaws that frames are read as."""
         return Jaws(self.model, self.jaw_tables)
 
-    @property
-    def window_frames(self) -> int:
-        """Return how many frames are read as the mean of a hold."""
-        return self.model.spec.inversion.window_frames
-
     @cached_property
     def search(self) -> Search:
         """Return the search from scratch."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import replace
 
 import numpy as np
@@ -61,7 +60,6 @@ class Tracker:
     def __init__(self, inversion: Inversion) -> None:
         self.inversion = inversion
         self.seen_anew = 0
-        self._window = deque(maxlen=inversion.window_frames)
         self._last: Problems | None = None
         self._wait, self._pause, self._tried_p = 0, 1, 1.0
         self._odds = np.ones(1)
@@ -73,15 +71,12 @@ class Tracker:
         self._widened = 1.0
 
     def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
-        """The contacts of the next frame (changes of counts against rest), or of the mean of the last
-        `window_frames`; `drift_counts` is the deviation of what every channel drifted since."""
-        self._window.append(counts)
+        """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
+        what every channel drifted since."""
         disturbances = self.inversion.disturbances
         fresh = np.hypot(disturbances.noise_counts, disturbances.offset_counts)
         self._widened = float(np.hypot(1.0, drift_counts / np.median(fresh)))
-        plain = disturbances.observed(
-            np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
-        )
+        plain = disturbances.observed(counts[None], drift_counts=drift_counts)
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed

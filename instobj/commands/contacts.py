@@ -131,24 +131,20 @@ def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> 
 def _read_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
-    from estimator.frames.windows import window_means
+    from estimator.frames.windows import all_counts
     from estimator.metrics.contacts import rows_beside_bound
 
     frames = zeroed_data_set(path, zeroing)
     require_read_sensors(inversion, frames, path)
     progress = ProgressLine()
-    means, averaged = window_means(frames, inversion.window_frames)
     with progress.stage(f"contacts in {path}"):
         best, second = inversion.read(
-            means,
-            averaged,
+            all_counts(frames),
             progress=lambda done: progress.step(f"frame {done} of {len(frames)}"),
         )
     judged, valid = [], np.flatnonzero(frames.valid)
     if np.any(frames.contact_face[valid] > 0):
-        judged = rows_beside_bound(
-            inversion, frames.select(valid), best.select(valid), averaged[valid]
-        )
+        judged = rows_beside_bound(inversion, frames.select(valid), best.select(valid))
     return np.arange(len(frames)), frames.time_s, best, second, judged
 
 

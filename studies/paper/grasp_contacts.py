@@ -125,16 +125,18 @@ def calibrated_inversion(recorded: SimulatedObject) -> Inversion:
 
 def _judged(name: str, inversion: Inversion, frames: FrameSet) -> list[dict[str, Any]]:
     """Read frame by frame and hold by hold."""
-    from estimator.frames.windows import window_means
+    from estimator.frames.windows import all_counts
     from estimator.metrics.contacts import rows_beside_bound
 
-    rows = []
-    held = np.arange(_HOLD_FRAMES - 1, len(frames), _HOLD_FRAMES)
-    for read, window, chosen in ((_ONE, 1, np.arange(len(frames))), (_HOLD, _HOLD_FRAMES, held)):
-        means, averaged = window_means(frames, window)
-        chosen = chosen[frames.valid[chosen]]
-        found, _ = inversion.read(means[chosen], averaged[chosen])
-        judged = rows_beside_bound(inversion, frames.select(chosen), found, averaged[chosen])
+    counts, rows = all_counts(frames), []
+    for read, window in ((_ONE, 1), (_HOLD, _HOLD_FRAMES)):
+        means = counts.reshape(-1, window, counts.shape[1]).mean(axis=1)
+        # of a hold the last frame stands for all
+        chosen = np.arange(window - 1, len(counts), window)
+        valid = frames.valid[chosen]
+        averaged = np.full(valid.sum(), window)
+        found, _ = inversion.read(means[valid], averaged)
+        judged = rows_beside_bound(inversion, frames.select(chosen[valid]), found, averaged)
         rows += [{"model": name, "frames read": read} | row for row in judged]
     return rows
 

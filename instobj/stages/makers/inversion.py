@@ -137,18 +137,16 @@ def write_contact_metrics(
 ) -> None:
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, compared with
     the Cramér–Rao bound of the places and with what `baselines` read in the same frames, by name."""
-    from estimator.frames.windows import chosen_rows, window_means
+    from estimator.frames.windows import all_counts, chosen_rows
     from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
     from instobj.figures.contacts import draw_contacts
 
-    means, averaged = window_means(frames, inversion.window_frames)
-    rows = chosen_rows(frames, MOST_FRAMES)
-    chosen, averaged = frames.select(rows), averaged[rows]
+    chosen = frames.select(chosen_rows(frames, MOST_FRAMES))
     best, second = inversion.read(
-        means[rows], averaged, progress=lambda done: step(f"frame {done} of {len(chosen)}")
+        all_counts(chosen), progress=lambda done: step(f"frame {done} of {len(chosen)}")
     )
     matched = matched_contacts(chosen, best)
-    table = contact_rows(matched, possible_distance_mm(inversion, chosen, averaged))
+    table = contact_rows(matched, possible_distance_mm(inversion, chosen))
     content = {
         "judged": judged,
         "frames": len(chosen),

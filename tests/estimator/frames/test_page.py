@@ -8,7 +8,7 @@ from estimator.frames.face_data import face_data, live_channels, with_history
 from estimator.frames.heatmap import force_heatmaps
 from estimator.frames.press_protocol import nominal_peaks, plan_presses, simulate_presses
 from estimator.frames.splits import split_paper_random_frames, split_places, split_presses
-from estimator.frames.windows import chosen_rows, window_means
+from estimator.frames.windows import chosen_rows
 from tests.support.mechanics.odd_presses import SPEC, signals
 from tests.support.physics_pages import assert_page, chosen
 
@@ -56,9 +56,6 @@ def of_learning(frames):
     yield "channels of a face, of all", [len(live_channels(data)), len(every)]
     late = with_history(frames.select(np.arange(40)), 3)
     yield "with history (counts)", late.signal_counts
-    means, of_window = window_means(frames.select(np.arange(60)), 3)
-    yield "means of windows (counts)", means
-    yield "frames of windows", of_window
     yield "chosen rows", chosen_rows(frames, 9, 2)
     for name, split in (
         ("presses", split_presses(frames, 5)),

@@ -287,12 +287,11 @@ class Watched(Tracker):
         self.given, self.numbers, self.looked = iter(p_values), iter(numbers), []
         self.window = 0
         disturbances = SimpleNamespace(
-            observed=lambda counts, averaged, drift_counts: SEEN,
+            observed=lambda counts, drift_counts: SEEN,
             noise_counts=np.ones(CHANNELS),
             offset_counts=np.ones(CHANNELS),
         )
         inversion = SimpleNamespace(
-            window_frames=1,
             jaw_tables=(),
             disturbances=disturbances,
             error_share=lambda: self,

@@ -99,21 +99,6 @@ def test_jaws_get_their_tips_together_and_a_third_contact_needs_more_than_noise(
         assert tracker.seen_anew == anew
 
 
-def test_a_tracker_reads_the_mean_of_its_window():
-    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
-    face[0, 0], contact[0, 0] = 1, [2.0, -4.0, 5.0]
-    counts = noisy_counts(
-        inverted(), face.repeat(12, 0), contact.repeat(12, 0), np.random.default_rng(2)
-    )
-    window = inverted().model.spec.inversion.changed(window_frames=12)
-    model = replace(inverted().model, spec=inverted().model.spec.changed(inversion=window))
-    tracker = Tracker(replace(inverted(), model=model))
-    found = [tracker.feed(frame) for frame in counts][-1]
-    (whole,), _ = zip(inverted().read(counts.mean(axis=0)[None], np.array([12])), strict=True)
-    assert_allclose(found.xy_mm[0, 0], whole.xy_mm[0, 0], atol=0.02)
-    assert_allclose(found.position_radius_mm[0, 0], whole.position_radius_mm[0, 0], rtol=0.02)
-
-
 def test_the_zero_is_taken_from_rest(followed):
     _, _, counts, _, _ = followed
     raw = np.random.default_rng(2).integers(-500, 500, 45) + counts

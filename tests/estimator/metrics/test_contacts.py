@@ -1,12 +1,10 @@
 """Found contacts against true ones."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.frames.windows import chosen_rows, window_means
+from estimator.frames.windows import chosen_rows
 from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
 from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
@@ -111,15 +109,3 @@ def test_rows_are_chosen_in_order_and_valid(judged):
     assert chosen_rows(frames, 10).tolist() == [0, 2, 3]
     assert len(chosen_rows(frames, 2)) == 2
     frames.valid[1] = True
-
-
-def test_windows_are_means_within_a_press():
-    frames = labelled_frames(np.ones((7, 1), int), np.zeros((7, 1, 2)), np.ones((7, 1)))
-    counts = np.random.default_rng(3).normal(size=frames.signal_counts.shape)
-    counts[5, 0, 0, 0] = np.nan
-    frames = replace(frames, signal_counts=counts, press_id=np.array([0, 0, 0, 0, 1, 1, 1]))
-    means, number = window_means(frames, 3)
-    assert number.tolist() == [1, 2, 3, 3, 1, 2, 3]
-    flat = counts.reshape(7, -1)
-    for row, first in enumerate([0, 0, 0, 1, 4, 4, 4]):
-        assert_allclose(means[row], flat[first : row + 1].mean(axis=0), atol=1e-12)
