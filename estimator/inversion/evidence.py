@@ -7,7 +7,7 @@ from jaxtyping import Float
 
 from estimator.inversion.model.arrays import Array, diagonals, library, like, to_host
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Bounds, Priors, held_between, log_density, widths
+from estimator.inversion.priors import Bounds, Priors, flat_precision, held_between, log_density
 from estimator.inversion.problems import Problems
 
 _AT_BOUND = 1e-6
@@ -54,16 +54,30 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
 
     They are no wider than the priors; empty slots have the identity.
     """
-    slots = problems.face.shape[1]
-    covariance = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
-    return np.moveaxis(np.diagonal(covariance, axis1=1, axis2=3), -1, 1)
+    return of_each_contact(joint_covariance(problems, priors))
+
+
+def joint_covariance(
+    problems: Problems, priors: Priors
+) -> Float[np.ndarray, "problem parameter parameter"]:
+    """Return the covariance of x, y (mm) and force (N) of all contacts together."""
+    return np.linalg.inv(bounded_curvature(problems, priors))
+
+
+def of_each_contact(
+    joint: Float[np.ndarray, "problem parameter parameter"],
+) -> Float[np.ndarray, "problem contact 3 3"]:
+    """Return the blocks of a joint covariance that belong to one contact each."""
+    slots = joint.shape[1] // 3
+    blocks = joint.reshape(-1, slots, 3, slots, 3)
+    return blocks.diagonal(axis1=1, axis2=3).transpose(0, 3, 1, 2)
 
 
 def bounded_curvature(
     problems: Problems, priors: Priors
 ) -> Float[Array, "problem parameter parameter"]:
     """Return the curvature with that of normal priors as wide as the even ones: it has an inverse."""
-    flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
+    flat = (problems.face != NONE)[..., None] * flat_precision(priors)
     curvature = problems.curvature + 0.0
     diagonal = diagonals(curvature)
     diagonal += like(curvature, flat.reshape(diagonal.shape))

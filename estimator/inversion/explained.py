@@ -18,7 +18,7 @@ from jaxtyping import Float
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.posterior import lowered_misfits
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observations, Problems
+from estimator.inversion.problems import Observations, Problems
 
 UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""
@@ -89,5 +89,4 @@ def excess(observations: Observations, problems: Problems) -> Float[np.ndarray, 
 
 
 def _freedoms(observations: Observations, problems: Problems) -> Float[np.ndarray, "problem"]:
-    readings = np.sum(observations.sigma[problems.frame] < BLIND / 2, axis=1)
-    return np.maximum(readings - 3.0 * problems.number, 1.0)
+    return np.maximum(observations.readings[problems.frame] - 3.0 * problems.number, 1.0)

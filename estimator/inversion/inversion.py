@@ -16,7 +16,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
-from estimator.inversion.evidence import covariances
+from estimator.inversion.evidence import joint_covariance, of_each_contact
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.jaws import JawFit, Jaws, JawTable
 from estimator.inversion.lying import log_evidence_without, lying_chips
@@ -260,13 +260,14 @@ class Inversion:
         Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
         """
         p_value = error.refitted_p_values(observations, problems, error.share)[:, 0]
+        joint = joint_covariance(problems, self.priors)
         if covariance is None:
-            covariance = covariances(problems, self.priors)
+            covariance = of_each_contact(joint)
         if np.any(p_value < UNEXPLAINED):
             factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)
             covariance = widened(covariance, factor, self.priors)
         sets = contact_sets(
-            self.model, self.priors, observations, problems, odds, p_value, covariance
+            self.model, self.priors, observations, problems, odds, p_value, covariance, joint
         )
         units = self.disturbances.deviations
         # The unknowns of a magnet near by stand behind them and are left out.

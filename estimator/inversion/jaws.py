@@ -2,9 +2,9 @@
 
 A jaw's motions of the magnets are its depth times a table over how it leans (`fem.presses.jaws`): as patterns
 of low order, uniform and two tilts, with the contact that is lost. Jaws add up as motions, and the field of
-the sum is exact, as with tips (`estimator.inversion.model.forward`). The most probable pose of the jaws on
-given faces is found by Levenberg and Marquardt's method; its evidence by Laplace's approximation has the
-frame's constant in common with that of tips, so that their difference is the log of the odds.
+the sum is exact. The most probable pose of the jaws on given faces is found by Levenberg and Marquardt's
+method; its evidence by Laplace's approximation has the frame's constant in common with that of tips, so that
+their difference is the log of the odds.
 """
 
 from __future__ import annotations

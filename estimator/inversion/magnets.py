@@ -12,7 +12,7 @@ from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.model.arrays import like, rows_of
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable, refitted
-from estimator.inversion.problems import BLIND, Observations, Problems
+from estimator.inversion.problems import Observations, Problems
 from estimator.inversion.search import Hypotheses, Search
 
 _LOG_ODDS = -0.5
@@ -96,7 +96,7 @@ class BesideMagnet:
         """
         best = believed.problems
         # Any magnet explains fewer readings than it has unknowns: they tell nothing of one.
-        readings = np.sum(self.plain.sigma[best.frame] < BLIND / 2, axis=1)
+        readings = self.plain.readings[best.frame]
         # A magnet beside the whole set is a further source, and no better place of any contact.
         beside, p_value = self._judged_by_number(search, best, best.number - 1)
         beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)

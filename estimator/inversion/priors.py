@@ -366,6 +366,12 @@ def widths(priors: Priors) -> Float[np.ndarray, "3"]:
     return np.array([side, side, np.ptp(priors.force_n)])
 
 
+@cache
+def flat_precision(priors: Priors) -> Float[np.ndarray, "3"]:
+    """Return the precisions of normal priors as wide as the even ones."""
+    return 12 / np.square(widths(priors))
+
+
 def held_between(bounds: Bounds, priors: Priors) -> Bounds:
     """Return what bounds of a model leave of the priors, or these of them."""
     (low, high), (least, most) = bounds, priors.force_n

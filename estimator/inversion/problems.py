@@ -108,6 +108,11 @@ class Observations:
         return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
 
     @cached_property
+    def readings(self) -> Int[np.ndarray, "frame"]:
+        """Return how many channels of each frame say something."""
+        return (self.sigma < BLIND / 2).sum(axis=1)
+
+    @cached_property
     def white(self) -> Whitening:
         """Return the whitening of the disturbances around contacts."""
         return whitening(self.sigma, self.shared)

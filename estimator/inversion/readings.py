@@ -8,13 +8,14 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
-from estimator.inversion.evidence import bounded_curvature, covariances
+from estimator.inversion.evidence import covariances, joint_covariance
 from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.jaws import JawFit
+from estimator.inversion.model.arrays import diagonals
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import used_slots
-from estimator.inversion.priors import Priors, widths
+from estimator.inversion.priors import Priors, flat_precision
 from estimator.inversion.problems import Observations, Problems
 from estimator.inversion.search import Hypotheses
 
@@ -114,9 +115,10 @@ def contact_sets(
     odds: Float[np.ndarray, "frame"],
     p_value: Float[np.ndarray, "frame"],
     covariance: Float[np.ndarray, "frame contact 3 3"],
+    joint: Float[np.ndarray, "frame parameter parameter"],
 ) -> ContactSets:
-    """Contacts of one problem per frame, in the order of the problems. Changes since the zero are in
-    standard deviations of their priors."""
+    """Contacts of one problem per frame, in the order of the problems, with their `joint_covariance`.
+    Changes since the zero are in standard deviations of their priors."""
     filled = problems.face != NONE
     pulls = np.full((2, *filled.shape, 2), np.nan)
     if model.shear is not None:
@@ -132,7 +134,7 @@ def contact_sets(
         odds,
         p_value,
         np.full(len(filled), NONE),
-        *changes_since_zero(model, priors, observations, problems),
+        *changes_since_zero(model, observations, problems, joint),
         np.full((*filled.shape, 2), np.nan),
     )
 
@@ -182,38 +184,35 @@ def widened(
     rows = np.flatnonzero(factor > 1)
     wide = covariance.copy()
     # Normal priors as wide as the even ones, as in `bounded_curvature`: precisions add up.
-    prior = np.diag(12 / np.square(widths(priors)))
+    prior = np.diag(flat_precision(priors))
     precision = np.linalg.inv(covariance[rows] * factor[rows, None, None, None])
     wide[rows] = np.linalg.inv(precision + prior)
     return wide
 
 
 def changes_since_zero(
-    model: ContactModel, priors: Priors, observations: Observations, problems: Problems
+    model: ContactModel,
+    observations: Observations,
+    problems: Problems,
+    joint: Float[np.ndarray, "problem parameter parameter"],
 ) -> tuple[Float[np.ndarray, "problem k"], Float[np.ndarray, "problem k"]]:
     """Nuisances of each frame in standard deviations of their priors: posterior mean at the contacts
     found, and its standard deviation with what is uncertain of the contacts."""
-    used = used_slots(problems.face)
-    columns = (
-        np.zeros((model.channels, 0)) if observations.columns is None else observations.columns
-    )
+    used, columns = used_slots(problems.face), observations.shared
+    unknowns, parameters = columns.shape[-1], 3 * used
     singles = model.singles(problems.face[:, :used], problems.contact[:, :used])
-    residual = observations.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
-    jacobian = singles[:, :, 1:].reshape(len(singles), 3 * used, model.channels)
-    each = np.broadcast_to(columns.T, (len(singles), *columns.T.shape))
-    white = observations.white.select(problems.frame)
-    white_rows = white(np.concatenate([each, residual[:, None], jacobian], axis=1))
+    rows = np.empty((len(singles), unknowns + 1 + parameters, model.channels))
+    rows[:, :unknowns] = columns.T
+    rows[:, unknowns] = observations.counts[problems.frame] - problems.extra
+    rows[:, unknowns] -= singles[:, :, 0].sum(axis=1)
+    rows[:, unknowns + 1 :] = singles[:, :, 1:].reshape(len(rows), parameters, -1)
+    white_rows = observations.white.select(problems.frame)(rows)
     # With r = A t + noise and t ~ N(0, 1) the mean is AᵀΣ⁻¹r, the covariance 1 − AᵀΣ⁻¹A; Σ⁻¹ = WᵀW.
-    unknowns = columns.shape[1]
     products = white_rows[:, :unknowns] @ white_rows.swapaxes(1, 2)
-    overlap, mean, carried = np.split(products, [unknowns, unknowns + 1], axis=2)
-    contacts = np.linalg.inv(bounded_curvature(problems, priors)[:, : 3 * used, : 3 * used])
-    variance = np.diagonal(
-        np.eye(unknowns) - overlap + carried @ contacts @ carried.transpose(0, 2, 1),
-        axis1=1,
-        axis2=2,
-    )
-    return mean[..., 0], np.sqrt(np.maximum(variance, 0.0))
+    carried = products[:, :, unknowns + 1 :]
+    of_contacts = (carried @ joint[:, :parameters, :parameters] * carried).sum(axis=2)
+    variance = 1 - diagonals(products[:, :, :unknowns]) + of_contacts
+    return products[:, :, unknowns], np.sqrt(variance.clip(0.0))
 
 
 def tangential_forces(
@@ -237,7 +236,7 @@ def tangential_forces(
     posterior_covariance = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
     mean = (posterior_covariance @ (pulls @ white(residual[:, None]).transpose(0, 2, 1)))[..., 0]
     carried = posterior_covariance @ pulls @ jacobian.transpose(0, 2, 1)
-    contacts = np.linalg.inv(bounded_curvature(problems, priors))
+    contacts = joint_covariance(problems, priors)
     covariance = posterior_covariance + carried @ contacts @ carried.transpose(0, 2, 1)
     deviation = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
     scale = model.pull_sigma_n(contact)[..., None]

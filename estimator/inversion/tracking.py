@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Bool, Float
 
-from estimator.inversion.evidence import covariances
+from estimator.inversion.evidence import joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.jaws import JawFit
@@ -69,14 +70,14 @@ class Tracker:
         self._jaws: tuple[JawFit, ContactSets] | None = None
         self.beside_magnet = False
         self._widened = 1.0
+        fresh = inversion.disturbances
+        self._fresh_counts = float(np.median(np.hypot(fresh.noise_counts, fresh.offset_counts)))
 
     def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
         what every channel drifted since."""
-        disturbances = self.inversion.disturbances
-        fresh = np.hypot(disturbances.noise_counts, disturbances.offset_counts)
-        self._widened = float(np.hypot(1.0, drift_counts / np.median(fresh)))
-        plain = disturbances.observed(counts[None], drift_counts=drift_counts)
+        self._widened = math.hypot(1.0, drift_counts / self._fresh_counts)
+        plain = self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed
@@ -274,8 +275,8 @@ class Tracker:
         number = int(same.number[0])
         if not number:
             return False
-        covariance = covariances(same, self.inversion.priors)[0, :number]
-        sigma = np.sqrt(covariance[:, 2, 2])
+        variance = joint_covariance(same, self.inversion.priors)[0].diagonal()
+        sigma = np.sqrt(variance[2 : 3 * number : 3])
         # By the deviations of a fresh zero: drift makes a hold less certain, and does not end it.
         return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma / self._widened))
 

@@ -282,7 +282,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=11,
+        version=12,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

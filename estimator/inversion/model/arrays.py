@@ -45,8 +45,10 @@ def to_host(array: Array) -> np.ndarray:
 def diagonals(matrices: Array) -> Array:
     """View of each matrix's diagonal."""
     if isinstance(matrices, np.ndarray):
-        # NumPy hands out a writable view: callers add to it
-        return np.einsum("nii->ni", matrices)
+        view = matrices.diagonal(axis1=1, axis2=2)
+        # NumPy protects this view; callers add to it
+        view.flags.writeable = True
+        return view
     return matrices.diagonal(dim1=1, dim2=2)
 
 

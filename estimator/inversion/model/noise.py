@@ -79,8 +79,8 @@ class Disturbances:
         plain_sigma = np.sqrt(white / readings[:, None] + self.offset_counts**2 + drift_counts**2)
         missing = np.isnan(counts)
         counts = np.where(missing, 0.0, counts)
-        change = np.linalg.norm(counts.reshape(len(counts), -1, 3), axis=2) / np.sqrt(3)
-        change = np.repeat(change, 3, axis=1)
+        by_chip = counts.reshape(len(counts), -1, 3)
+        change = np.sqrt((by_chip * by_chip).sum(axis=2) / 3).repeat(3, axis=1)
         strict = np.minimum(self.model_error, MOST_ERROR)
         sigmas = (
             plain_sigma,
