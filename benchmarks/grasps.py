@@ -287,7 +287,7 @@ def _wrench(contacts: Any, face: int) -> np.ndarray:
     some = contacts.face == face
     names = ("face", "point_mm", "axes", "force_n", "covariance")
     part = replace(contacts, **{name: getattr(contacts, name)[some] for name in names})
-    wrench, _ = net_wrench(part, 0.0)
+    wrench = net_wrench(part)
     reach = abs(contacts.point_mm).max(initial=1.0)
     return np.concatenate([wrench[:3], wrench[3:] / reach])
 

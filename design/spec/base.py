@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
+from functools import cache
 from math import inf
 from types import NoneType, UnionType
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, get_args, get_origin
@@ -100,13 +101,9 @@ class SpecPart(BaseModel):
     @field_validator("*", mode="before")
     @classmethod
     def _booleans_are_no_numbers(cls, given: Any, info: Any) -> Any:
-        annotation = cls.model_fields[info.field_name].annotation
-        kinds = _kinds(annotation)
-        switch = kinds == [bool]
-        named = isinstance(given, dict) and any(get_origin(kind) is dict for kind in kinds)
-        if not _takes_booleans(annotation) and _holds_a_boolean(
-            list(given.values()) if named else given
-        ):
+        takes_booleans, switch, by_name = _booleans_of(cls, info.field_name)
+        named = by_name and isinstance(given, dict)
+        if not takes_booleans and _holds_a_boolean(list(given.values()) if named else given):
             raise PydanticCustomError("boolean", "true and false are no values of this key")
         if switch and not isinstance(given, bool | NoneType):
             raise PydanticCustomError("no_boolean", "write true or false")
@@ -199,6 +196,15 @@ def _place_of_kind(location: tuple[Any, ...], model: type[BaseModel]) -> int | N
             return None if ours else place
         annotation = _inside(kinds[0], part)
     return None
+
+
+@cache
+def _booleans_of(part: type[BaseModel], key: str) -> tuple[bool, bool, bool]:
+    """Return whether a key takes booleans, takes nothing else, and takes values by name."""
+    annotation = part.model_fields[key].annotation
+    kinds = _kinds(annotation)
+    by_name = any(get_origin(kind) is dict for kind in kinds)
+    return _takes_booleans(annotation), kinds == [bool], by_name
 
 
 def _takes_booleans(annotation: Any) -> bool:

@@ -13,33 +13,37 @@ _SIDE = 0.5
 """Least cosine between a contact's normal and the grasp's axis for it to belong to a side."""
 
 
-def net_wrench(
-    contacts: Placed, friction: float
-) -> tuple[Float[np.ndarray, "6"], Float[np.ndarray, "6 6"]]:
-    """Force (N) and moment (N mm) about the object's origin, and their covariance.
+def net_wrench(contacts: Placed) -> Float[np.ndarray, "6"]:
+    """Force (N) and moment (N mm) about the object's origin; a tangential force that was not read counts
+    as none."""
+    # contact c, of i and j of its three coordinates
+    push = np.einsum("cij,cj->ci", contacts.axes, np.nan_to_num(contacts.force_n))
+    return np.concatenate([push.sum(axis=0), np.cross(contacts.point_mm, push).sum(axis=0)])
+
+
+def wrench_covariance(contacts: Placed, friction: float) -> Float[np.ndarray, "6 6"]:
+    """Covariance of the net wrench, of first order in the errors of places.
 
     A tangential force that was not read may lie anywhere within the friction disc μF: mean 0 and
     variance (μF)²/4 along each of two axes, as of a uniform disc. Errors of contacts are independent but
-    for their common factor; the covariance is of first order in the errors of places.
+    for their common factor.
     """
-    wrench, covariance = np.zeros(6), np.zeros((6, 6))
+    covariance = np.zeros((6, 6))
     for point, axes, force, errors in zip(
         contacts.point_mm, contacts.axes, contacts.force_n, contacts.covariance, strict=True
     ):
         unread = np.isnan(force)
         read = np.where(unread, 0.0, force)
-        push = axes @ read
-        wrench += np.concatenate([push, np.cross(point, push)])
         spread = errors.copy()
         spread[2:, 2:][np.diag(unread)] += (friction * read[2]) ** 2 / 4
         # columns: d/dx, d/dy of r × f, then d/dforce of (f, r × f)
-        moved = np.cross(axes[:, :2].T, push).T
+        moved = np.cross(axes[:, :2].T, axes @ read).T
         lever = np.cross(point, axes.T).T
         slope = np.block([[np.zeros((3, 2)), axes], [moved, lever]])
         covariance += slope @ spread @ slope.T
     # a common factor scales the whole wrench: w → (1 + s) w
-    covariance += contacts.scale_error**2 * np.outer(wrench, wrench)
-    return wrench, covariance
+    wrench = net_wrench(contacts)
+    return covariance + contacts.scale_error**2 * np.outer(wrench, wrench)
 
 
 def equilibrium_misfit(

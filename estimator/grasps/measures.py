@@ -19,6 +19,7 @@ from estimator.grasps.balance import (
     grasp_axis,
     net_wrench,
     side_forces_n,
+    wrench_covariance,
 )
 from estimator.grasps.damage import (
     DamageLimit,
@@ -127,7 +128,7 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     mean = held.averaged(_frames_like(held, usual, slice(0, len(held))))
     at_peak = placed_contacts(top, 0, conditions.faces)
     typical = placed_contacts(mean, 0, conditions.faces)
-    wrench, covariance = net_wrench(typical, conditions.friction)
+    wrench, covariance = net_wrench(typical), wrench_covariance(typical, conditions.friction)
     faces = _face_forces(part, hold)
     damage, places = _damage(top, at_peak, conditions, rng)
     readings = {
@@ -199,7 +200,7 @@ def _draws(contacts: Placed, rng: np.random.Generator, count: int = _DRAWS) -> l
     numbers = rng.standard_normal((count // 2, 5 * len(contacts) + 1))
     # in pairs of opposite errors about the contacts themselves: medians of even figures are theirs
     pairs = np.concatenate([np.zeros_like(numbers[:1]), numbers, -numbers])
-    return [contacts.drawn(row[:-1].reshape(-1, 5), float(row[-1])) for row in pairs]
+    return contacts.drawn(pairs[:, :-1].reshape(len(pairs), -1, 5), pairs[:, -1])
 
 
 def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
@@ -211,7 +212,7 @@ def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
 
 
 def _hold_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
-    wrench, _ = net_wrench(contacts, conditions.friction)
+    wrench = net_wrench(contacts)
     return {
         "net_force_n": float(np.linalg.norm(wrench[:3])),
         "net_moment_nmm": float(np.linalg.norm(wrench[3:])),

@@ -224,8 +224,10 @@ class Placed:
         """Inward normals: directions in which contacts push the object."""
         return self.axes[..., 2]
 
-    def drawn(self, normals: Float[np.ndarray, "contact 5"], common: float) -> Placed:
-        """Another of the contacts that the covariance and the common factor allow, from standard normal
+    def drawn(
+        self, normals: Float[np.ndarray, "draw contact 5"], common: Float[np.ndarray, "draw"]
+    ) -> list[Placed]:
+        """Others of the contacts that the covariance and the common factor allow, from standard normal
         numbers; zeros give the contacts themselves.
 
         Points move in the tangent plane, so that normals stay: exact on flat faces.
@@ -233,12 +235,13 @@ class Placed:
         # the symmetric root also exists where rows are 0, which Cholesky's does not
         value, vector = np.linalg.eigh(self.covariance)
         root = vector * np.sqrt(value.clip(0.0))[..., None, :]
-        # contact c, of i and j of its five coordinates
-        error = np.einsum("cij,cj->ci", root, normals)
-        point = self.point_mm + np.einsum("cij,cj->ci", self.axes[..., :2], error[:, :2])
-        force = (self.force_n + error[:, 2:]) * (1 + self.scale_error * common)
-        force[:, 2] = force[:, 2].clip(0.0)
-        return replace(self, point_mm=point, force_n=force)
+        # draw d, contact c, of i and j of its five coordinates
+        error = np.einsum("cij,dcj->dci", root, normals)
+        points = self.point_mm + np.einsum("cij,dcj->dci", self.axes[..., :2], error[..., :2])
+        forces = (self.force_n + error[..., 2:]) * (1 + self.scale_error * common)[:, None, None]
+        forces[..., 2] = forces[..., 2].clip(0.0)
+        each = zip(points, forces, strict=True)
+        return [replace(self, point_mm=point, force_n=force) for point, force in each]
 
 
 def placed_contacts(track: ContactTrack, frame: int, faces: Mapping[int, FaceFrame]) -> Placed:
