@@ -247,7 +247,7 @@ class _PressedFace:
     nuisances: Float[np.ndarray, "channel k"]
 
     @cached_property
-    def where(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def presses(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         return np.full(len(self.xy_mm), self.face), self.xy_mm[:, 0], self.xy_mm[:, 1]
 
     @cached_property
@@ -256,7 +256,7 @@ class _PressedFace:
 
     @cached_property
     def all_traces(self) -> Traces:
-        return press_traces(self.signals, *self.where)
+        return press_traces(self.signals, *self.presses)
 
     @cached_property
     def traces(self) -> Traces:
@@ -276,7 +276,7 @@ class _PressedFace:
 
     @cached_property
     def jacobian(self) -> Float[np.ndarray, "place channel 3"]:
-        return live_jacobian(self.spec, self.signals, *self.where, self.force_n)[:, self.used]
+        return live_jacobian(self.spec, self.signals, *self.presses, self.force_n)[:, self.used]
 
     @cached_property
     def shared(self) -> Float[np.ndarray, "channel k"]:
