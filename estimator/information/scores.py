@@ -206,8 +206,8 @@ def fill_places(
 
 @dataclass(frozen=True)
 class PlaceBounds:
-    """What `PlaceScores` has under the same names, freshly zeroed; bounds of a location that does not reach
-    `score.force_n` are those of its deepest press."""
+    """Bounds as `PlaceScores` has them under the same names, freshly zeroed; those of a location that does
+    not reach `score.force_n` are of its deepest press."""
 
     position_bound_mm: Float[np.ndarray, "face place"]
     force_bound_n: Float[np.ndarray, "face place"]
