@@ -280,7 +280,7 @@ class _PressedFace:
 
     @cached_property
     def shared(self) -> Float[np.ndarray, "channel k"]:
-        """Nuisances in the channels that are read; a chip clipped at rest tells nothing of them."""
+        """Nuisances in the channels that are read; a chip clipped at rest says nothing of them."""
         in_range = abs(self.signals.baseline_counts.ravel()[self.used]) <= self.range_counts
         return self.nuisances[self.used] * in_range[:, None]
 
