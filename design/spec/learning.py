@@ -160,7 +160,6 @@ class TrainingSpec(SpecPart):
     stopped and calibrated by its own fold of the presses. `trees`: extremely randomised trees
     with each network, whose answers are weighed in. `process`: a Gaussian process answers where
     a frame is novel. Left out, these four follow from the data (`estimator.networks.defaults`).
-    `twins`: simulated objects that `--twin` draws within what labelled presses leave possible.
     """
 
     model: Literal["inversion", "compact", "whole-object"] = "inversion"
@@ -172,7 +171,6 @@ class TrainingSpec(SpecPart):
     ensemble: Annotated[int, Field(ge=1, le=20)] | None = None
     trees: Annotated[int, Field(ge=0, le=500)] | None = None
     process: bool | None = None
-    twins: Annotated[int, Field(ge=2, le=1000)] = 10
 
 
 Use = Literal["grasp", "touch", "presence", "bench"]

@@ -14,14 +14,17 @@ PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
 _USUAL_SCALE_N = {"none": 1.0, "hx711": 49.03, "analog": 24.5}
 """Newtons per mV/V of a bridge of 5 kg at 1 mV/V, and per volt of the Vernier in its ±50 N range."""
 
+SUPPLY_V = 5.0
+"""Supply of an analog load cell, the largest voltage that it gives; without load it gives half of it."""
+
 
 class LoadCellSpec(SpecPart):
     """A load cell that the firmware of `instobj bench firmware` reads, for presses by hand or by a machine.
 
     `kind` "hx711": a strain-gauge bridge on an HX711, gain 128, at 80 readings per second (its pin RATE);
     `scale_n` is the bridge's capacity over its output, N per mV/V (49.03 if left out). "analog": a
-    force sensor with a voltage from 0 to 5 V; `scale_n` is newtons per volt (24.5 if left out, the
-    Vernier Dual-Range Force Sensor in its ±50 N range), and `zero_v` the voltage without load.
+    force sensor with a voltage from 0 to 5 V, about half of it without load; `scale_n` is newtons per volt
+    (24.5 if left out, the Vernier Dual-Range Force Sensor in its ±50 N range).
     `scale_n` is negative where pressing makes the reading smaller. `pins` of the board: data and clock,
     or the analogue input; left out, the board's usual ones.
     """
@@ -29,7 +32,6 @@ class LoadCellSpec(SpecPart):
     kind: LoadCellKind = "none"
     pins: tuple[str, ...] | None = None
     scale_n: Annotated[float, Field(ge=-1e4, le=1e4)] | None = None
-    zero_v: Annotated[float, Field(ge=0, le=5)] = 2.5
 
     @property
     def newtons_per_unit(self) -> float:

@@ -46,6 +46,7 @@ REMOVED = {
     "load_cell.newtons_per_v": "load_cell.scale_n is newtons per volt of an analog sensor",
     "load_cell.output_mv_per_v": "load_cell.scale_n is the capacity over the output, in N per mV/V",
     "load_cell.rate_sps": "the HX711's pin RATE is set to 80 readings per second",
+    "load_cell.zero_v": "analog sensors give 2.5 V without load; presses are counted from rest",
     "magnets.current_a": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.kind": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.switching": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
@@ -118,6 +119,7 @@ REMOVED = {
     "training.model = paper": "the paper's network is studies/paper/network.py",
     "training.output": "estimators draw heatmaps (studies: FitSettings.continuous)",
     "training.patience_epochs": "training stops 15 epochs after its best",
+    "training.twins": "`train --twin` simulates ten objects",
 } | {
     f"{key} = {name}": why
     for name, why in _OBJECTIVES_GONE.items()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from design.catalogue.bus_parts import MEGA2560, Board
 from design.catalogue.orders import BTA_ADAPTER, HX711, LOAD_CELL, RESISTOR, VERNIER
 from design.errors import InputError
-from design.spec.load_cell import LoadCellSpec
+from design.spec.load_cell import SUPPLY_V, LoadCellSpec
 
 LINE_CHARACTERS = 28
 """Length of a line `L` with a clock of nine digits and a force of three: $L,170300123,1,-99.9999*FFFF."""
@@ -118,4 +118,4 @@ def zero_steps(cell: LoadCellSpec, board: Board) -> float:
     if cell.kind == "hx711":
         return 0.0
     full_v, steps, share = board.adc
-    return cell.zero_v * share * steps / full_v - 0.5
+    return SUPPLY_V / 2 * share * steps / full_v - 0.5

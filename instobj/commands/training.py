@@ -33,6 +33,9 @@ if TYPE_CHECKING:
     from estimator.recordings.travel_labels import TravelForces
     from instobj.stages.makers.twin import TwinOfData
 
+_TWINS = 10
+"""Objects that `train --twin` simulates, within what labelled presses leave possible."""
+
 
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
@@ -247,7 +250,7 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
     from instobj.stages.makers.twin import require_settings
 
     require_settings(training)
-    return simulated_twin(path, [], frames, training.twins)
+    return simulated_twin(path, [], frames, _TWINS)
 
 
 def simulated_twin(

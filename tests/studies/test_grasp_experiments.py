@@ -22,7 +22,6 @@ from tests.support.mechanics.half_space_response import half_space_response
 from tests.support.mechanics.synthetic_presses import synthetic_presses
 
 SHORTER = {
-    "training.twins": 3,
     "training.epochs": 6,
     "protocol.presses_per_place": 3,
     "protocol.frames_per_press": (4, 12),

@@ -8,6 +8,7 @@ from pathlib import Path
 from design.build.order_list import ORDER_COLUMNS, order_list, order_row
 from design.catalogue.bus_parts import MEGA2560, MLX90393, TLE493D, TMAG5273
 from design.files import atomic_path
+from design.spec.load_cell import SUPPLY_V
 from design.spec.object import ObjectSpec
 from design.tables import table_text
 from design.wiring.bus_plan import BusPlan
@@ -91,7 +92,7 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
             f"{load.lines_hz:g} readings per second."
         )
     else:
-        scale = f"{cell.newtons_per_unit:g} N/V, {cell.zero_v:g} V without load."
+        scale = f"{cell.newtons_per_unit:g} N/V, {SUPPLY_V / 2:g} V without load."
     lines = "Its forces go out as lines `L`; check the scale with a weight."
     return f"\n- Load cell: {load.title}; {scale} {lines}"
 

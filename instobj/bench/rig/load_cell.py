@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from design.errors import InputError
-from design.spec.load_cell import LoadCellSpec
+from design.spec.load_cell import SUPPLY_V, LoadCellSpec
 
 RECENT = 400
 _GAP_S = 1.0
@@ -31,8 +31,6 @@ _HX711_MV_PER_V = 4.0
 """End of its scale at gain 128: ±20 mV of a supply of 5 V."""
 _END_SHARE = 0.95
 """Usable share of the end of a scale: supplies and gains are off by some per cent."""
-_SUPPLY_V = 5.0
-"""Supply of an analog load cell, the largest voltage that it gives."""
 
 
 def largest_reading_n(cell: LoadCellSpec) -> float:
@@ -40,7 +38,7 @@ def largest_reading_n(cell: LoadCellSpec) -> float:
     specification has none."""
     ends = {
         "hx711": abs(cell.newtons_per_unit) * _HX711_MV_PER_V,
-        "analog": abs(cell.newtons_per_unit) * max(cell.zero_v, _SUPPLY_V - cell.zero_v),
+        "analog": abs(cell.newtons_per_unit) * SUPPLY_V / 2,
     }
     return _END_SHARE * ends[cell.kind] if cell.kind in ends else math.inf
 

@@ -192,7 +192,7 @@ def test_steps_of_a_load_cell_in_newtons():
     full_scale = 1e-3 / (0.5 / 128) * 2**23
     assert newtons_per_step(hx711, MEGA2560) == pytest.approx(49.0 / full_scale)
     assert zero_steps(hx711, MEGA2560) == 0
-    analog = LoadCellSpec(kind="analog", scale_n=-24.5, zero_v=2.5)
+    analog = LoadCellSpec(kind="analog", scale_n=-24.5)
     assert newtons_per_step(analog, MEGA2560) == pytest.approx(-24.5 * 5 / 1024)
     assert newtons_per_step(analog, PICO) == pytest.approx(-24.5 * 3.3 / 0.6 / 65536)
     assert zero_steps(analog, MEGA2560) == pytest.approx(511.5)

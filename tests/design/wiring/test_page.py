@@ -13,7 +13,7 @@ from tests.support.physics_pages import assert_page
 
 CELLS = {
     "hx711": {"kind": "hx711", "scale_n": -30.0 / 0.9},
-    "analog": {"kind": "analog", "scale_n": 21.0, "zero_v": 2.2},
+    "analog": {"kind": "analog", "scale_n": 21.0},
 }
 
 

@@ -38,7 +38,6 @@ SPEC = coarse_spec(
         "frames_per_press": (3, 12),
         "peak_force_n": (6.0, 9.0),
     },
-    training={"twins": 5},
 )
 SETTINGS = ["training.epochs=3", "training.hidden_units=[16, 16]", "seed=2"]
 

@@ -112,10 +112,10 @@ def test_a_voltage_is_read_as_the_mean_of_many_conversions(voltage):
 
 def test_another_input_and_other_figures_of_a_force_sensor(tmp_path):
     """The Vernier's ±10 N range on A5."""
-    cell = {"pins": ["A5"], "scale_n": -4.9, "zero_v": 2.0}
+    cell = {"pins": ["A5"], "scale_n": -4.9}
     plan, elf = built(object_of("analog", **cell), tmp_path)
     _, told_n = loads_of(messages(elf, world(plan, load=[(0, 1000)], end_ms=500))[0])
-    assert told_n == pytest.approx(4.9, abs=4.9 * 5 / 1024)
+    assert told_n == pytest.approx(1.5 * 4.9, abs=4.9 * 5 / 1024)
 
 
 def test_the_planned_rate_is_kept_with_a_load_cell(tmp_path):
