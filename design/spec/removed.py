@@ -37,6 +37,7 @@ REMOVED = {
     "export": "triangles leave the solids by 0.05 mm at most and turn by 0.2 rad",
     "indenter.file": "indenter.vertices_mm takes an STL file, or corners",
     "indenter.tilt_deg": "it is the second and third of indenter.turn_deg",
+    "indenter.tip_spacing_mm": "two tips are 15 mm apart and three 20 mm, larger ones 3 and 4 radii",
     "indenter.yaw_deg": "it is the first of indenter.turn_deg",
     "inversion.drift_counts": "sensors.zeroing_counts is the error of the zero",
     "inversion.least_force_n": "contacts of 0.2 N and more are read",
