@@ -51,6 +51,7 @@ REMOVED = {
     "magnets.current_a": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.kind": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.switching": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "magnets.temperature_c": "give magnets.remanence_t of warm magnets, 0.11 % less a kelvin above 20 °C",
     "magnets.turns": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "mechanics.element = p1": "linear tetrahedra lock. Take taylor-hood",
     "mechanics.slip.model": "the shell follows its slipped core by finite elements",
