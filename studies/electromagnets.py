@@ -85,7 +85,7 @@ def run_electromagnets(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     text = (
         f"{TURNS} turns at {CURRENT_A:g} A in the magnets' outline are worth "
         f"{1e3 * coil_polarization_t(spec):.3g} mT of polarization, a magnet "
-        f"{1e3 * spec.magnets.working_remanence_t:.4g} mT."
+        f"{1e3 * spec.magnets.remanences_t[0]:.4g} mT."
     )
     return StudyResult(rows, [text])
 

@@ -57,8 +57,6 @@ def magnet_part(name: str) -> MagnetPart:
     return row_named(MAGNET_PARTS, name, "magnets.part", otherwise)
 
 
-REFERENCE_TEMPERATURE_C = 20.0
-"""At which remanence is stated."""
 NDFEB_REMANENCE_PER_KELVIN = -0.0011
 """Reversible change of remanence of sintered NdFeB; makers give −0.11 to −0.12 %/K up to 100 °C."""
 NDFEB_RECOIL_PERMEABILITY = 1.05
@@ -73,7 +71,6 @@ class MagnetGrade:
     remanence_min_t: float
     remanence_t: float
     remanence_max_t: float
-    max_temperature_c: float = 80.0
 
     def admits(self, remanence_t: float) -> bool:
         """Return whether a magnet of this grade may have that remanence."""
@@ -93,9 +90,3 @@ def magnet_grade(name: str) -> MagnetGrade:
     """
     otherwise = ", or leave it out and give magnets.remanence_t"
     return row_named(GRADES, name, "magnets.grade", otherwise)
-
-
-def remanence_at_temperature_t(remanence_t: float, temperature_c: float) -> float:
-    """Remanence (T) of NdFeB at a temperature (°C), from that at 20 °C; linear and reversible."""
-    rise_k = temperature_c - REFERENCE_TEMPERATURE_C
-    return remanence_t * (1 + NDFEB_REMANENCE_PER_KELVIN * rise_k)

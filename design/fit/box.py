@@ -1,14 +1,14 @@
-"""Fit of a box: core, pockets, sensors and presses; and of the tips on any body."""
+"""Fit of a box: core, pockets, sensors and presses."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations, islice
+from itertools import islice
 from math import cos, floor, sin
 from typing import TYPE_CHECKING
 
 from design.fit.magnet_places import MOST_TOLD
-from design.fit.nearest import excess, least_spacing_mm
+from design.fit.nearest import excess
 from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import LEAST_COUNT, place_problems
@@ -268,18 +268,6 @@ def check_box_presses(spec: ObjectSpec) -> Iterator[str]:
             f"{deepest:g} of {spec.shell.thickness_mm:g} mm. Press {0.6 * spec.shell.thickness_mm:.4g} mm "
             f"deep at most, or make shell.thickness_mm {deepest / 0.6:.4g} or more"
         )
-
-
-def check_tips(spec: ObjectSpec) -> Iterator[str]:
-    from design.layout.tips import tip_places_mm, tips_overlap
-
-    single_tip = spec.indenter.changed(tip_count=1)
-    for a, b in combinations(tip_places_mm(spec.indenter), 2):
-        if tips_overlap(single_tip, b - a):
-            yield (
-                f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
-                f"them by {least_spacing_mm(spec.indenter):g} or more"
-            )
 
 
 def fewer_places(count: tuple[int, int], pitch_mm: float, axis: int, room_mm: float) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from design.fit.boards import check_boards
-from design.fit.box import check_box, check_box_core, check_box_presses, check_tips
+from design.fit.box import check_box, check_box_core, check_box_presses
 from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
 from design.fit.mould import check_mould
@@ -55,7 +55,6 @@ def _problems(
 def _but_mould(spec: ObjectSpec, table: bool, ways: bool) -> Iterator[str]:
     cuboid = body_of(spec).cuboid
     yield from check_box(spec) if cuboid else check_body(spec, ways)
-    yield from check_tips(spec)
     if table:
         yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
     yield from check_roughness(spec)

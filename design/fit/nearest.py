@@ -3,16 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import combinations
-from math import ceil
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from design.layout.tips import tip_places_mm, tip_shape, tips_overlap
-
 if TYPE_CHECKING:
-    from design.spec.mechanics import IndenterSpec
     from design.spec.object import ObjectSpec
 
 Check = Callable[["ObjectSpec"], Iterator[str]]
@@ -91,21 +84,6 @@ def _largest_share(works: Callable[[float], bool]) -> float:
         middle = (low + high) / 2
         low, high = (middle, high) if works(middle) else (low, middle)
     return low
-
-
-def least_spacing_mm(indenter: IndenterSpec) -> float:
-    """Least spacing of tips that do not overlap, rounded up to 0.1 mm."""
-    single_tip = indenter.changed(tip_count=1)
-
-    def apart(spacing: float) -> bool:
-        places = tip_places_mm(indenter.changed(tip_spacing_mm=spacing))
-        return not any(tips_overlap(single_tip, b - a) for a, b in combinations(places, 2))
-
-    low, high = 0, ceil(40 * float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max()))
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if apart(middle / 10) else (middle, high)
-    return high / 10
 
 
 def excess(reach: tuple[float, float], limits: tuple[float, float]) -> str:

@@ -106,7 +106,7 @@ def _ellipsoid_heights_mm(matrix: Float[np.ndarray, "3 3"], xy_mm: np.ndarray) -
 def tip_places_mm(indenter: IndenterSpec) -> Float[np.ndarray, "tip 2"]:
     """Return where the lowest points of the probe's tips are, about the place pressed."""
     reach = float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max())
-    places = tip_positions_mm(indenter.tip_count, reach, indenter.tip_spacing_mm)
+    places = tip_positions_mm(indenter.tip_count, reach)
     yaw = np.deg2rad(indenter.turn_deg[0])
     return places @ np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]])
 

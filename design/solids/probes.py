@@ -43,7 +43,7 @@ def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
     InputError
         No such probe, or the dimensions do not give one valid solid.
     """
-    indenter = _with_tips(spec.indenter, tips)
+    indenter = spec.indenter.changed(tip_count=tips)
     tip = _hemisphere(indenter) if indenter.kind == "hemisphere" else _body(indenter)
     plate_z = _top_of_tip_mm(indenter, tip) + SHAFT_LENGTH_MM
     shaft = _shaft(indenter, tip, plate_z)
@@ -63,12 +63,12 @@ def lowest_presses(
     locations count at which all its tips stay on the face; a face without one is left out.
     """
     grid, presses = contact_grid(spec).xy_mm, list[FaceFrame]()
-    depths, indenter = spec.press.depths_mm, _with_tips(spec.indenter, tips)
+    depths, indenter = spec.press.depths_mm, spec.indenter.changed(tip_count=tips)
     path = np.append(path_mm(indenter, depths)[-1], -depths[-1])
-    probed = spec if indenter is spec.indenter else spec.changed(indenter=indenter)
+    probed = spec.changed(indenter=indenter)
     for frame, has_place in zip(face_frames(spec), contact_places(spec), strict=True):
         places = grid[has_place]
-        if probed is not spec:
+        if tips != spec.indenter.tip_count:
             places = places[tip_stays(probed, frame, places)]
         if len(places):
             xy = frame.to_plane(places)
@@ -79,12 +79,6 @@ def lowest_presses(
             least = int(heights.min(axis=1).argmin())
             presses.append(replace(frame.tangent(xy[least]), centre_mm=tip[least]))
     return presses
-
-
-def _with_tips(indenter: IndenterSpec, tips: int) -> IndenterSpec:
-    if tips == indenter.tip_count:
-        return indenter
-    return indenter.changed(tip_count=tips, tip_spacing_mm=None)
 
 
 def _top_of_tip_mm(indenter: IndenterSpec, tip: cq.Shape) -> float:

@@ -13,11 +13,9 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from design.catalogue.magnets import (
     NDFEB_RECOIL_PERMEABILITY,
-    REFERENCE_TEMPERATURE_C,
     MagnetShape,
     magnet_grade,
     magnet_part,
-    remanence_at_temperature_t,
 )
 from design.spec.base import (
     Coordinate,
@@ -123,7 +121,6 @@ class MagnetSpec(SpecPart):
     grade: str | tuple[str, ...] | None = None
     remanence_t: Remanence | Annotated[tuple[Remanence, ...], Field(min_length=1)] = 1.43
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
-    temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
     depth_below_core_face_mm: Offset = 0.0
     positions_mm: PlacesOfFaces = (
         (0.0, 0.0),
@@ -238,11 +235,6 @@ class MagnetSpec(SpecPart):
     def _list_for_each_magnet(self, given: Value | tuple[Value, ...]) -> tuple[Value, ...]:
         return given if isinstance(given, tuple) else (given,) * self.count
 
-    @property
-    def working_remanence_t(self) -> float:
-        """Remanence of a face's first magnet at `temperature_c`."""
-        return remanence_at_temperature_t(self.remanences_t[0], self.temperature_c)
-
     @model_validator(mode="before")
     @classmethod
     def _figures_of_part_and_grade(cls, given: Any) -> Any:
@@ -326,12 +318,6 @@ class MagnetSpec(SpecPart):
                     f"magnets.remanence_t = {remanence_t:g} lies outside grade {grade.name} "
                     f"({grade.remanence_min_t:g} to {grade.remanence_max_t:g} T). Leave remanence_t out "
                     f"to take the typical {grade.remanence_t:g} T, or leave magnets.grade out"
-                )
-            if self.temperature_c > grade.max_temperature_c:
-                raise ValueError(
-                    f"magnets.temperature_c = {self.temperature_c:g} exceeds the "
-                    f"{grade.max_temperature_c:g} °C at which grade {grade.name} begins to lose "
-                    "magnetisation for good. Lower it, or leave magnets.grade out for a hotter grade"
                 )
 
 

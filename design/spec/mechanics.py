@@ -149,8 +149,8 @@ class IndenterSpec(SpecPart):
     and cuboid the middle of the underside. Rigid, or with a soft pad bonded to it: `pad` is its
     thickness (mm), Young's modulus (MPa) and Poisson's ratio. `direction_deg` is how far its path
     leans from the inward normal towards x and y: at depth d it has moved sideways by d tan of them. A
-    probe has `tip_count` tips, `tip_spacing_mm` apart (left
-    out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
+    probe has `tip_count` tips about the place pressed: as the paper's, two 15 mm and three 20 mm apart,
+    larger ones 3 and 4 radii.
     """
 
     kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "ellipsoid", "stl"] = "hemisphere"
@@ -163,7 +163,6 @@ class IndenterSpec(SpecPart):
     direction_deg: tuple[Direction, Direction] = (0.0, 0.0)
     friction: Literal["none", "sticking"] = "none"
     tip_count: Literal[1, 2, 3] = 1
-    tip_spacing_mm: Length | None = None
 
     @property
     def is_one_plain_ball(self) -> bool:

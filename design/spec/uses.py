@@ -15,7 +15,6 @@ USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "indenter.size_mm": ("indenter.kind", ("cuboid", "cylinder", "ellipsoid")),
     "indenter.fillet_mm": ("indenter.kind", ("flat", "cuboid")),
     "indenter.vertices_mm": ("indenter.kind", ("stl",)),
-    "indenter.tip_spacing_mm": ("indenter.tip_count", (2, 3)),
     "magnets.depth_below_core_face_mm": ("arrangement", ("sensors-in-shell",)),
     "mould.parting_azimuth_deg": ("mould.style", _SPLIT),
     "collection.frames_per_case": ("collection.kind", ("paper", "grasp", "handling")),

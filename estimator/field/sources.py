@@ -143,7 +143,7 @@ def magnet_source(magnets: MagnetSpec) -> Magnet:
 
 def _source(magnets: MagnetSpec, size: MagnetSize) -> Magnet:
     hole, height = size.inner_diameter_mm, size.height_mm
-    remanence_t, permeability = magnets.working_remanence_t, magnets.recoil_permeability
+    remanence_t, permeability = magnets.remanences_t[0], magnets.recoil_permeability
     if size.shape == "block":
         return self_demagnetised(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)
     disk = DiskMagnet(size.diameter_mm, height, 1.0, hole)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN, remanence_at_temperature_t
+from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from design.layout.body import face_frames
 from design.layout.places.positions import MagnetLayout, SensorLayout, slipped
 from design.spec.assembly import TolerancesSpec
@@ -192,7 +192,9 @@ def _moved_magnets(
     shift = np.einsum("mij,mj->mi", axes, np.column_stack([lateral, depth]))
     turn = np.einsum("mij,mj->mi", axes[:, :, :2], tilt)
     stronger = 1 + tolerances.remanence_relative * numbers["remanence"]
-    warmer = temperature_ratio(spec, tolerances.temperature_k * float(numbers["temperature"][0]))
+    rise_k = tolerances.temperature_k * float(numbers["temperature"][0])
+    # remanence is stated at 20 °C, and falls linearly
+    warmer = 1 + NDFEB_REMANENCE_PER_KELVIN * rise_k
     return replace(
         magnets,
         centre_mm=magnets.centre_mm + shift,
@@ -220,9 +222,3 @@ def face_axes(spec: ObjectSpec, face: Int[np.ndarray, "part"]) -> Float[np.ndarr
     """x, y and outward normal of each part's face, as columns."""
     frames = {frame.number: frame.axes for frame in face_frames(spec)}
     return np.stack([frames[number] for number in face.tolist()])
-
-
-def temperature_ratio(spec: ObjectSpec, rise_k: float) -> float:
-    """Remanence at a temperature above the design's, over that at the design's."""
-    at_design = remanence_at_temperature_t(1.0, spec.magnets.temperature_c)
-    return 1 + NDFEB_REMANENCE_PER_KELVIN * rise_k / at_design

@@ -342,7 +342,7 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen += [("sensors", "positions_mm"), ("sensors", "rotations_deg"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
     chosen += [("mould", k) for k in ("style", "parting_azimuth_deg")]
-    chosen += [("indenter", key) for key in ("vertices_mm", "tip_spacing_mm")]
+    chosen += [("indenter", "vertices_mm")]
     chosen += [("collection", "poses")]
     chosen += [("training", key) for key in ("history_frames", "ensemble", "trees", "process")]
     chosen += [("inversion", "model_error"), ("load_cell", "pins"), ("load_cell", "scale_n")]

@@ -23,7 +23,7 @@ from design.catalogue.hall_sensors import (
     is_fine,
     wider_range,
 )
-from design.catalogue.magnets import GRADES, MAGNET_PARTS, MagnetGrade
+from design.catalogue.magnets import GRADES, MAGNET_PARTS
 from design.catalogue.orders import ORDERS, Order
 from design.catalogue.silicones import SILICONES, ModulusEstimate
 from design.errors import InputError
@@ -80,12 +80,10 @@ def test_grades_are_those_of_sellers_tables_and_admit_their_own_range():
         assert f"{grade.name} {'{:.2f} {:.2f} {:.2f}'.format(*wanted)}" == row
     grades = GRADES.values()
     for grade in grades:
-        assert grade.max_temperature_c == 80.0
         assert grade.admits(grade.remanence_min_t)
         assert grade.admits(grade.remanence_max_t)
         assert not grade.admits(grade.remanence_min_t - 1e-9)
         assert not grade.admits(grade.remanence_max_t + 1e-9)
-    assert MagnetGrade("N1", 1.0, 1.1, 1.2).max_temperature_c == 80.0
 
 
 def test_addresses_of_chips_are_those_of_their_data_sheets():

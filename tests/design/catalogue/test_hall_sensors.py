@@ -4,11 +4,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.catalogue.hall_sensors import HALL_PARTS
-from design.catalogue.magnets import GRADES, remanence_at_temperature_t
+from design.catalogue.magnets import GRADES
 from design.errors import InputError
 from design.spec.object import SensorSpec
 from design.spec_io import parse_spec
-from estimator.field.sources import magnet_source
 
 
 def parsed(**parts):
@@ -25,17 +24,6 @@ def test_grades_grow_and_their_typical_value_lies_midway():
         product = grade.remanence_t**2 / (4 * 1.05 * 4e-7 * 3.14159265) / 7957.7
         assert_allclose(product, int(grade.name[1:]), rtol=0.06)
     assert [g.remanence_t for g in grades] == sorted(g.remanence_t for g in grades)
-
-
-def test_remanence_falls_by_0_11_percent_per_kelvin():
-    assert remanence_at_temperature_t(1.3, 20.0) == 1.3
-    assert_allclose(remanence_at_temperature_t(1.3, 60.0), 1.3 * 0.956, rtol=1e-12)
-    assert_allclose(remanence_at_temperature_t(1.3, 0.0), 1.3 * 1.022, rtol=1e-12)
-    warm = parsed(
-        magnets={"remanence_t": 1.2, "temperature_c": 70.0, "recoil_permeability": 1.0}
-    ).magnets
-    assert warm.remanence_t == 1.2
-    assert_allclose(magnet_source(warm).polarization_t, 1.2 * 0.945, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

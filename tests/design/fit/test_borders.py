@@ -21,7 +21,6 @@ BASES = {
     "slits": ["shell.slits.depth_mm=4.0"],
     "channels": [],
     "cuboid tip": ["indenter.kind=cuboid"],
-    "two tips": ["indenter.tip_count=2"],
     "thick shell": ["shell.thickness_mm=9.0", "core.recess_outer_radius_mm=9.0"],
     "sensors in the shell": [
         "arrangement=sensors-in-shell",
@@ -73,7 +72,6 @@ cube: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | below 60 % of shell
 thick shell: press.depths_mm | [1.0, 4.99] | [1.0, 5.0] | below the indenter's height
 cuboid tip: indenter.size_mm | [42.0, 10.0] | [42.01, 10.0] | larger than the face of 42 mm
 cuboid tip: indenter.size_mm | [10.0, 42.0] | [10.0, 42.01] | larger than the face of 42 mm
-two tips: indenter.tip_spacing_mm | 10.0 | 9.99 | makes the tips overlap
 cube: contact_grid.count | [14, 4] | [15, 4] | count\\[0\\] × pitch_mm, half a pitch
 cube: contact_grid.count | [4, 14] | [4, 15] | count\\[1\\] × pitch_mm, half a pitch
 keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's patch

@@ -99,7 +99,7 @@ def test_a_limit_that_is_told_is_the_limit(name, change, pattern, key):
     assert still_told(limit + 1e-2)
 
 
-ALONGSIDE = {"tip_spacing": "indenter.tip_count=2", "sensors": "sensors.count_per_face=1"}
+ALONGSIDE = {"sensors": "sensors.count_per_face=1"}
 STRAY = "environment.magnets=[{position_mm=[%s, 0, 0]}]"
 STEEL = "environment.steel_plates=[{position_mm=[0, 0, %s], normal=[0, 0, -1]}]"
 
@@ -109,7 +109,6 @@ STEEL = "environment.steel_plates=[{position_mm=[0, 0, %s], normal=[0, 0, -1]}]"
     [
         ("contact_grid.pitch_mm=%s", 25.0, r"contact_grid\.pitch_mm of ([\d.]+), a", 0.1),
         ("contact_grid.pitch_mm=%s", 0.3, r"Use a pitch of ([\d.]+) or more", -0.01),
-        ("indenter.tip_spacing_mm=%s", 4.0, r"Space them by ([\d.]+) or more", -0.2),
         ("shell.pocket_depth_mm=%s", 0.6, r"deeper than ([\d.]+) mm", 0.0),
         ("sensors.positions_mm=[[%s, 0]]", 12.0, r"by more than ([\d.]+) mm in x", 0.0),
         (STRAY, 20.0, r"outwards by more than ([\d.]+) mm", 0.0),

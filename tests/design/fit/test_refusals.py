@@ -40,9 +40,6 @@ box: sensors.radius_mm=5.75
 box: press.depths_mm=[1,4.9]
 box: indenter.radius_mm=1.4
 box: indenter.kind=cuboid indenter.size_mm=[47,51]
-box: indenter.tip_count=2 indenter.tip_spacing_mm=9.2
-box: indenter.tip_count=3 indenter.tip_spacing_mm=9.2
-box: indenter.kind=cuboid indenter.size_mm=[8,5] indenter.tip_count=2 indenter.tip_spacing_mm=7.1
 box: contact_grid.count=[17,5]
 box: contact_grid.count=[5,19] indenter.direction_deg=[5,-20]
 box: contact_grid.count="fill" contact_grid.pitch_mm=22.3

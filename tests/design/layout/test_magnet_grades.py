@@ -109,7 +109,6 @@ REFUSED = {
     "1.2 lies outside grade N52": {"remanence_t": 1.2},
     "'N99' is not in the catalogue": {"grade": ["N35", "N99", "N42"]},
     r"grade\.1: .*string; got 52": {"grade": ["N35", 52, "N42"]},
-    "exceeds the 80 °C at which grade N35": {"temperature_c": 81.0},
     r"grade = 'N35' contradicts magnets.part = 'MP 12x5x2 / N38' \('N38'\)": {
         "part": "MP 12x5x2 / N38"
     },

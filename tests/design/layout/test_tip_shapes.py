@@ -51,10 +51,10 @@ def test_the_rim_belongs_to_the_tip():
 
 
 def test_three_cuboids_stand_where_the_paper_s_tips_stand():
-    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=3, tip_spacing_mm=11.0)
+    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=3)
     spec = ObjectSpec(name="probe", indenter=indenter, contact_grid=ContactGridSpec(count=(6, 6)))
     probe = make_probe(spec, 3)
-    radius = 11 / np.sqrt(3)
+    radius = 20 / np.sqrt(3)
     for angle in np.deg2rad([90, 210, 330]):
         x, y = radius * np.cos(angle), radius * np.sin(angle)
         assert probe.isInside(cq.Vector(x + 1.9, y - 0.9, 0.01))
@@ -70,18 +70,18 @@ def test_three_cuboids_stand_where_the_paper_s_tips_stand():
         (1, (0.0, -1.99), True),
         (1, (3.9, 1.9), True),
         (2, (4.01, 0.0), False),
-        (2, (5.99, 0.0), False),
-        (2, (-6.01, 0.0), True),
-        (2, (13.99, 0.0), True),
-        (2, (14.01, 0.0), False),
-        (2, (10.0, 2.01), False),
-        (3, (5.0, 6.65), False),
-        (3, (5.0, 6.67), True),
+        (2, (10.99, 0.0), False),
+        (2, (-11.01, 0.0), True),
+        (2, (18.99, 0.0), True),
+        (2, (19.01, 0.0), False),
+        (2, (15.0, 2.01), False),
+        (3, (10.0, 15.31), False),
+        (3, (10.0, 15.33), True),
     ],
 )
 def test_cuboids_overlap_where_any_two_of_their_tips_do(tips, offset_mm, overlap):
-    """Tips of 4 × 2 mm, one, two 10 mm apart along x, or three (rows 5√3 = 8.66 mm apart)."""
-    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=tips, tip_spacing_mm=10.0)
+    """Tips of 4 × 2 mm, one, two 15 mm apart along x, or three (rows 10√3 = 17.32 mm apart)."""
+    indenter = IndenterSpec(kind="cuboid", size_mm=(4.0, 2.0), tip_count=tips)
     assert tips_overlap(indenter, np.array(offset_mm)) is overlap
 
 

@@ -64,17 +64,9 @@ def test_places_are_of_all_faces_or_of_each():
     assert MagnetSpec(positions_mm=TWO, depth_mm=(2.5, 3.0)).depths_mm == (2.5, 3.0)
 
 
-def test_remanence_falls_with_the_temperature():
-    cold, warm = (MagnetSpec(temperature_c=t).working_remanence_t for t in (20.0, 70.0))
-    assert cold == 1.43
-    assert warm < 0.96 * cold
-
-
-def test_a_grade_holds_up_to_80_degrees_and_within_its_remanence():
-    assert MagnetSpec(grade="N52", remanence_t=1.48, temperature_c=80.0).grade == "N52"
+def test_a_grade_holds_within_its_remanence():
+    assert MagnetSpec(grade="N52", remanence_t=1.48).grade == "N52"
     refused("lies outside grade N52", grade="N52", remanence_t=1.49)
-    refused("exceeds the 80 °C", grade="N52", temperature_c=80.1)
-    assert MagnetSpec(temperature_c=81.0).grade is None
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,6 @@ magnets.shape=ring magnets.inner_diameter_mm=% | 0.1 | 0 | needs magnets.inner_d
 magnets.shape=% magnets.inner_diameter_mm=2 | ring | disk | belongs to a ring
 magnets.part=D6x1 magnets.height_mm=% | 1 | 2 | contradicts magnets.part = 'D6x1'
 magnets.grade=N42 magnets.remanence_t=% | 1.28 | 1.27 | outside grade N42 \\(1.28 to 1.33 T\\)
-magnets.grade=N42 magnets.temperature_c=% | 80 | 81 | exceeds the 80 °C
 magnets.positions_mm=[[0,0],[9,9]] magnets.north=% | ["inward","outward"] | ["inward"] | one entry for each of
 magnets.positions_mm=[[0,0],[9,9]] magnets.tilt_deg=% | [[1,0],[0,0]] | [[1,0],[0,0],[0,1]] | one entry for ea
 magnets.positions_mm=[[0,0],[9,9]] magnets.depth_mm=% | [2,2] | [2] | one entry for each of the 2

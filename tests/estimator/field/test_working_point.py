@@ -103,8 +103,8 @@ def test_polarization_and_field_are_those_of_a_magnet_in_many_cells(body, mean, 
 
 
 def test_a_permeability_of_one_leaves_the_remanence():
-    magnets = MagnetSpec(recoil_permeability=1.0, temperature_c=70.0)
-    assert magnet_source(magnets).polarization_t == magnets.working_remanence_t
+    magnets = MagnetSpec(recoil_permeability=1.0)
+    assert magnet_source(magnets).polarization_t == magnets.remanence_t
 
 
 def test_every_grade_and_part_demagnetises_itself():

@@ -39,7 +39,7 @@ def test_the_field_s_deviation_is_that_of_two_random_directions():
 
 def test_warm_magnets_lose_a_share_of_what_is_seen_at_rest():
     columns = nuisance_columns(used(CUBE, earth_field_ut=0.0, temperature_k=3.0))
-    warm = CUBE.changed(magnets=CUBE.magnets.changed(temperature_c=23.0))
+    warm = CUBE.changed(magnets=CUBE.magnets.changed(remanence_t=1.43 * (1 - 3 * 0.0011)))
     assert_allclose(columns[:, 0], (rest_counts(warm) - rest_counts(CUBE)).ravel(), atol=1e-8)
     around = CUBE.changed(environment=CUBE.environment.changed(earth_ut=60.0))
     assert_allclose(nuisance_columns(around), nuisance_columns(CUBE))

@@ -38,18 +38,6 @@ def test_sensors_are_shifted_and_turned_along_the_axes_of_their_face():
         assert_allclose(found.axes[k], about.apply(np.array(sensors.axes[k])), atol=1e-12)
 
 
-def test_remanence_falls_by_its_coefficient_over_that_at_the_design_s_temperature():
-    warm = SPEC.changed(magnets=SPEC.magnets.changed(temperature_c=60.0))
-    at = 1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 40
-    assert assembly.temperature_ratio(SPEC, 10.0) == pytest.approx(
-        1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10
-    )
-    assert assembly.temperature_ratio(warm, 10.0) == pytest.approx(
-        1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10 / at
-    )
-    assert pytest.approx(-0.0012, rel=0.2) == assembly.NDFEB_REMANENCE_PER_KELVIN
-
-
 def outcome(baseline, delta, position, force):
     return SimpleNamespace(
         baseline=np.array(baseline), delta=(np.array(delta),),

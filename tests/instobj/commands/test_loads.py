@@ -61,7 +61,7 @@ def test_no_place_at_all_is_refused():
         (Place(1, 0.0, 0.0, 5.0), {}, "Press less deep"),
         (Place(1, 0.0, 0.0, -1.0), {}, "Press less deep"),
         (Place(1, 18.8, 0.0, 3.0), {"direction_deg": (40.0, 0.0)}, "misses the body"),
-        (Place(1, 0.0, 0.0, 1.0), {"tip_count": 2, "tip_spacing_mm": 43.0}, "more than face 1"),
+        (Place(1, 0.0, 0.0, 1.0), {"tip_count": 2, "radius_mm": 15.0}, "more than face 1"),
     ],
 )
 def test_one_bad_press_is_told_of_and_the_others_are_kept(place, indenter, words):

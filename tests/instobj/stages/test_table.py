@@ -49,7 +49,6 @@ DOWNSTREAM: dict[str, set[str]] = {
     "magnets.positions_mm=[[0,0],[9,8]]": CAST_IN,
     "magnets.diameter_mm=5": CAST_IN | {"candidates"},
     "magnets.remanence_t=1.4": SENSED,
-    "magnets.temperature_c=45": SENSED,
     "magnets.grade=N45": SENSED,
     'magnets.grade=["N35","N52","N35","N35","N42"]': SENSED,
     "contact_grid.pitch_mm=2.5": WHERE_PRESSED,

@@ -146,13 +146,13 @@ def test_tips_hang_over_the_ends_of_a_cylinder_and_not_over_its_patches_sides():
 
 def test_each_of_two_tips_lands_on_a_cylinder():
     """Along the axis the outer tip's lowest point stays on the side, however far the probe reaches."""
-    tips = {"radius_mm": 4.0, "tip_count": 2, "tip_spacing_mm": 20.0}
+    tips = {"radius_mm": 4.0, "tip_count": 2}
     spec = body_spec("cylinder", indenter=tips)
     side = next(frame for frame in face_frames(spec) if not frame.flat)
     straight = side.ends.index(True)
     spec = spec.changed(indenter=spec.indenter.changed(turn_deg=(90.0 * straight, 0.0, 0.0)))
     half, way = side.half_lengths_mm[straight], np.eye(2)[straight]
-    places = np.outer([0.0, half - 10.5, half - 9.5], way)
+    places = np.outer([0.0, half - 8.0, half - 7.0], way)
     assert tip_stays(spec, side, places).tolist() == [True, True, False]
 
 
@@ -175,7 +175,7 @@ def test_what_several_patches_share_counts_once():
 
 
 def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
-    """Of 20 mm radius less 0.1 mm; one tip lands there by its lowest point, two 8 mm beside it."""
+    """Of 20 mm radius less 0.1 mm; one tip lands there by its lowest point, two 7.5 mm beside it."""
     spec, reach = body_spec("cylinder", indenter={"radius_mm": 5.0}), 0.0
     end = next(frame for frame in face_frames(spec) if frame.number == 1)
     turn = np.linspace(0, 2 * np.pi, 12)
@@ -183,8 +183,8 @@ def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
     for away, stays in ((0.0, True), (19.9 - reach - 0.05, True), (19.9 - reach + 0.05, False)):
         found = tip_stays(spec, end, away * way)
         assert found.all() if stays else not found.any()
-    two = spec.changed(indenter=spec.indenter.changed(tip_count=2, tip_spacing_mm=16.0))
-    assert tip_stays(two, end, np.array([[11.8, 0.0], [12.0, 0.0]])).tolist() == [True, False]
+    two = spec.changed(indenter=spec.indenter.changed(tip_count=2))
+    assert tip_stays(two, end, np.array([[12.3, 0.0], [12.5, 0.0]])).tolist() == [True, False]
 
 
 def test_a_node_is_all_around_free_with_its_eight_neighbours():
