@@ -122,11 +122,10 @@ class Problem:
     ) -> Float[np.ndarray, "some channel"]:
         """Change of counts of some presses, each as a case."""
         ratio = float(np.clip(assembly.modulus_ratio, 0.2, 3.0))
-        motion = self.moving.motion_of_cases(case, ratio)[rows]
-        still = counts_of(self.spec, assembly.scene, self.rest[None], self.model)
-        return (counts_of(self.spec, assembly.scene, motion, self.model) - still).reshape(
-            len(rows), -1
-        )
+        motion = self.moving.motion_of_cases(case, ratio, rows)
+        states = np.concatenate([self.rest[None], motion])
+        shown = counts_of(self.spec, assembly.scene, states, self.model)
+        return (shown[1:] - shown[0]).reshape(len(rows), -1)
 
 
 def fit(

@@ -23,6 +23,7 @@ from tests.support.recordings.handled import FORCE, handled
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 
 GENTLE_N, ROUGH_N = (2.8, 3.0, 3.2, 3.1, 2.9, 3.0), (5.6, 6.0, 6.4, 5.8, 6.1, 5.9)
+OUTPUT = ("--model", "model", "--json", "--out", "grasps.mcap")
 
 
 @pytest.fixture(scope="module")
@@ -39,9 +40,7 @@ def bench(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def ranked(bench):
-    done = run(
-        "assess", "rough", "gentle", "--model", "model", "--limit", "tomato", "--json", cwd=bench
-    )
+    done = run("assess", "rough", "gentle", *OUTPUT, "--limit", "tomato", cwd=bench)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout), bench / "runs" / "rough+gentle" / "assess"
 
@@ -71,13 +70,18 @@ def test_the_first_lines_answer_for_each_gripper(ranked):
 
 def test_a_recording_that_the_estimator_was_trained_on_is_named(bench, tmp_path):
     (tmp_path / "model").mkdir()
-    for source, target in (("model/contacts.nc", "contacts.nc"), ("gentle/day1.nc", "frames.nc")):
-        (tmp_path / "model" / target).write_bytes((bench / source).read_bytes())
-    arguments = ("gentle/day1.nc", "rough/day1.nc", "--model", tmp_path / "model", "--json")
-    document = json.loads(run("assess", *arguments, cwd=bench).stdout)
+    for name, seed in (("known.nc", 10), ("fresh.nc", 11)):
+        save_frames(handled(GENTLE_N[:1], seed)[0], tmp_path / name)
+    for source, target in (
+        (bench / "model/contacts.nc", "contacts.nc"),
+        (tmp_path / "known.nc", "frames.nc"),
+    ):
+        (tmp_path / "model" / target).write_bytes(source.read_bytes())
+    done = run("assess", "known.nc", "fresh.nc", "--model", "model", "--json", cwd=tmp_path)
+    document = json.loads(done.stdout)
     said = [text for text in document["texts"] if "was trained on this recording" in text]
     assert len(said) == 1
-    assert said[0].startswith("day1.nc")
+    assert said[0].startswith("known.nc")
 
 
 def test_a_specification_of_another_body_is_refused(bench):
@@ -145,12 +149,9 @@ def test_frames_that_nothing_explains_count_where_no_contact_is_read():
     assert unexplained_share([track.select(slice(0, 2))]) == 0
 
 
-def test_contacts_of_all_recordings_go_to_one_mcap_file(bench):
+def test_contacts_of_all_recordings_go_to_one_mcap_file(bench, ranked):
     mcap = pytest.importorskip("mcap.reader")
-    arguments = ("assess", "rough", "gentle", "--model", "model", "--json", "--out", "grasps.mcap")
-    done = run(*arguments, cwd=bench)
-    assert done.returncode == 0, done.stderr
-    files = {row["path"].rpartition("/")[2] for row in json.loads(done.stdout)["files"]}
+    files = {row["path"].rpartition("/")[2] for row in ranked[0]["files"]}
     assert {"assess.html", "grasps.mcap"} <= files
     with (bench / "grasps.mcap").open("rb") as file:
         sent = [
@@ -164,7 +165,7 @@ def test_contacts_of_all_recordings_go_to_one_mcap_file(bench):
         assert sorted(stamps) == sorted(round(1e9 * t) for t in frames.time_s)
     strongest = max(sum(c["force_n"] for c in frame["contacts"]) for _, _, frame in sent)
     assert strongest == pytest.approx(2 * max(ROUGH_N), rel=0.2)
-    again = run(*arguments, cwd=bench)
+    again = run("assess", "rough", "gentle", *OUTPUT, cwd=bench)
     assert again.returncode == 2
     assert "grasps.mcap exists already" in again.stderr
 
@@ -250,27 +251,27 @@ def test_bad_input_is_one_clear_error(bench, arguments, said):
 
 def test_places_at_risk_are_of_peaks_that_are_explained(bench):
     """A magnet beside one gripper: nothing explains its frames, and the page says what it leaves out."""
-    frames, _ = handled(GENTLE_N[:2], 8)
+    save_frames(handled(ROUGH_N[:2], 12)[0], bench / "firm.nc")
+    frames, _ = handled(GENTLE_N[:1], 8)
     pressed = np.any(frames.contact_face > 0, axis=1)
     beside = np.random.default_rng(9).normal(0, 600, frames.signal_counts.shape[1:])
     frames.signal_counts[pressed] += beside
     save_frames(frames, bench / "magnet.nc")
-    done = run(
-        "assess", "rough", "magnet.nc", "--model", "model", "--limit", "tomato", "--json", cwd=bench
-    )
+    arguments = ("--model", "model", "--limit", "tomato", "--json")
+    done = run("assess", "firm.nc", "magnet.nc", *arguments, cwd=bench)
     document = json.loads(done.stdout)
     at_risk = document["tables"]["places most at risk"]
-    assert {row["group"] for row in at_risk} == {"rough"}
+    assert {row["group"] for row in at_risk} == {"firm"}
     # its figures are withheld, and its answer says why
     (answer,) = (text for text in document["texts"] if text.startswith("magnet: "))
     assert answer.startswith("magnet: cannot be said, because the estimator does not explain")
     assert "Calibrate" in answer
-    assert {row["group"] for row in document["tables"]["grasps"]} == {"rough"}
-    with (bench / "runs" / "rough+magnet" / "assess" / "grasps.csv").open() as file:
+    assert {row["group"] for row in document["tables"]["grasps"]} == {"firm"}
+    with (bench / "runs" / "firm+magnet" / "assess" / "grasps.csv").open() as file:
         withheld = [row for row in csv.DictReader(file) if row["group"] == "magnet"]
     assert {row["peak_n"] for row in withheld} == {""}
     assert all(float(row["unexplained"]) > 0.5 for row in withheld)
-    assert any("leave out 2 of 8 grasps" in text for text in document["texts"])
+    assert any("leave out 1 of 3 grasps" in text for text in document["texts"])
 
 
 def test_gentle_and_rough_are_ranked_right_in_nearly_all_of_100_draws():

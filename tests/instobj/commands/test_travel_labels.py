@@ -77,6 +77,15 @@ def relabelled(source, target, name, values):
             csv.writer(file).writerow([*row[:force], *row[force + 1 :], value])
 
 
+def of_few_places(source, target):
+    """The recording without the presses at six of its nine places."""
+    rows = list(csv.reader(source.open()))
+    x, y = (rows[0].index(f"cell1_{axis}1_mm") for axis in "xy")
+    few = sorted({(row[x], row[y]) for row in rows[1:]})[:4]  # rest, and three places
+    with target.open("w", newline="") as file:
+        csv.writer(file).writerows([rows[0], *(row for row in rows[1:] if (row[x], row[y]) in few)])
+
+
 def forces_of(folder, name):
     done("recordings", f"{name}.csv", "--spec", "cube.toml", "--json", cwd=folder)
     return load_frames(folder / "runs" / name / "frames.nc")
@@ -122,7 +131,8 @@ def test_a_data_set_labelled_by_travel_trains_and_is_judged_in_mm_and_in_newtons
 
 def test_validation_takes_travel_for_what_it_is(bench):
     """Motions at a travel do not depend on the modulus: agreement as good as with the true forces' ratio."""
-    document = done("validate", "cube.toml", "travel.csv", "--json", cwd=bench)
+    of_few_places(bench / "travel.csv", bench / "few.csv")
+    document = done("validate", "cube.toml", "few.csv", "--json", cwd=bench)
     assert "tells nothing about the silicone" in document["texts"][0]
     face = document["validation"]["agreement"][0]
     assert face["cosine"]["value"] > 0.98
