@@ -54,7 +54,7 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
 
     They are no wider than the priors; empty slots have the identity.
     """
-    return contact_covariances(joint_covariance(problems, priors))
+    return contact_blocks(joint_covariance(problems, priors))
 
 
 def joint_covariance(
@@ -64,7 +64,7 @@ def joint_covariance(
     return np.linalg.inv(bounded_curvature(problems, priors))
 
 
-def contact_covariances(
+def contact_blocks(
     joint: Float[np.ndarray, "problem parameter parameter"],
 ) -> Float[np.ndarray, "problem contact 3 3"]:
     """Return the blocks of a joint covariance that belong to one contact each."""

@@ -16,7 +16,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
-from estimator.inversion.evidence import contact_covariances, joint_covariance
+from estimator.inversion.evidence import contact_blocks, joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.jaws import JawFit, Jaws, JawTable
 from estimator.inversion.lying import log_evidence_without, lying_chips
@@ -262,7 +262,7 @@ class Inversion:
         p_value = error.refitted_p_values(observations, problems, error.share)[:, 0]
         joint = joint_covariance(problems, self.priors)
         if covariance is None:
-            covariance = contact_covariances(joint)
+            covariance = contact_blocks(joint)
         if np.any(p_value < UNEXPLAINED):
             factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)
             covariance = widened(covariance, factor, self.priors)
