@@ -284,7 +284,7 @@ def _with_printer(content: dict[str, Any], folder: Path) -> dict[str, Any]:
         return content
     missing = "no printer profile at {}. Fix the key printer, or give a table [printer]"
     profile = _read_toml(folder / named, missing)
-    return content | {"printer": {"name": Path(named).stem} | profile}
+    return content | {"printer": profile}
 
 
 def _with_indenter_corners(content: dict[str, Any], folder: Path) -> dict[str, Any]:

@@ -163,7 +163,7 @@ def _silicone(spec: ObjectSpec) -> Item:
 
 
 def printed_items(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
-    density = spec.printer.process_figures.density_g_per_cm3
+    density = spec.printer.preset.density_g_per_cm3
     return [
         Item(
             f"print {part.name}",

@@ -49,7 +49,7 @@ class Mass:
 
 def masses_of(spec: ObjectSpec) -> dict[str, Mass]:
     """Return the mass of each kind of part: core, shell, magnets and boards."""
-    printed = spec.printer.process_figures.density_g_per_cm3
+    printed = spec.printer.preset.density_g_per_cm3
     silicone = spec.silicone.density_g_per_cm3
     core = next(part for part in parts_of(spec) if part.name == "core")
     magnets = _magnets(spec)

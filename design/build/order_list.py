@@ -56,7 +56,7 @@ def order_list(spec: ObjectSpec, plan: BusPlan | None) -> list[OrderLine]:
     Without a plan, because the catalogue knows no bus for the sensors, they stand by their name alone.
     """
     lines = [_sensors_alone(spec)] if plan is None else _electronics(spec, plan)
-    return [*lines, *_magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.process], 1)]
+    return [*lines, *_magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.preset.process], 1)]
 
 
 def write_orders(lines: list[OrderLine], target: Path) -> None:

@@ -72,7 +72,7 @@ def print_settings(
     A line is half of the printer's thinnest wall wide, a layer half as high as a line, or 0.3 of it
     where silicone copies the surface.
     """
-    if spec.printer.process != "fdm" or not (printed or spec.silicone.cure == "none"):
+    if spec.printer.preset.process != "fdm" or not (printed or spec.silicone.cure == "none"):
         return None
     start = next(start for start in _USES if name.startswith(start))
     walls, infill, copied = _USES[start]

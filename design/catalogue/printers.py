@@ -7,14 +7,12 @@ from typing import Literal
 
 from design.catalogue.tables import read_table, row_named
 
-Process = Literal["fdm", "resin", "sls"]
-
 
 @dataclass(frozen=True)
 class Printer:
     """A process with the smallest things it prints, mm; `aspect` is height over width."""
 
-    process: Process
+    process: Literal["fdm", "resin", "sls"]
     bed_mm: tuple[float, float, float]
     wall_mm: float
     hole_mm: float
@@ -35,5 +33,5 @@ def printer_preset(name: str) -> Printer:
     InputError
         No such preset.
     """
-    otherwise = ", or give all figures of [printer] beside the name"
+    otherwise = " and give your printer's figures beside it"
     return row_named(PRINTERS, name, "printer.name", otherwise)

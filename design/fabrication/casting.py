@@ -172,7 +172,7 @@ def check_draw(
 
 def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarray) -> Finding:
     """Finding of the least draft of a part's walls, at a place: too little of it is a warning."""
-    limit = spec.printer.process_figures.draft_deg
+    limit = spec.printer.preset.draft_deg
     return Finding(
         "draft",
         part,

@@ -202,7 +202,7 @@ def _aspect(
     at_mm: Point,
     key: str = "",
 ) -> Finding:
-    limit, value = spec.printer.process_figures.aspect, height / width
+    limit, value = spec.printer.preset.aspect, height / width
     status = "pass" if value <= limit else "warn"
     most = f" ({key} of {floor(100 * limit * width + 1e-6) / 100:g} or less)" if key else ""
     text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower{most}"
@@ -211,12 +211,12 @@ def _aspect(
 
 def check_inhibition(spec: ObjectSpec) -> list[Finding]:
     """Platinum-cured silicone stays sticky on resin prints."""
-    risky = spec.printer.process == "resin" and spec.silicone.cure == "platinum"
+    risky = spec.printer.preset.process == "resin" and spec.silicone.cure == "platinum"
     text = (
         f"{spec.silicone.name} cures by platinum, which residues of printed resin inhibit: wash, cure "
         "under UV and bake the mould (60 °C, some hours), coat it, or print it by FDM; test first"
         if risky
-        else f"{spec.silicone.name} ({spec.silicone.cure}) cures on {spec.printer.process} prints"
+        else f"{spec.silicone.name} ({spec.silicone.cure}) cures on {spec.printer.preset.process} prints"
     )
     status = "warn" if risky else "pass"
     return [Finding("inhibition of the cure", "mould", float(risky), 0.0, "", status, text)]

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.printers import PRINTERS, Printer, Process, printer_preset
+from design.catalogue.printers import Printer, printer_preset
 from design.spec.base import Angle, SpecPart
 
 Gap = Annotated[float, Field(ge=0.005, le=2)]
@@ -41,30 +41,29 @@ class MouldSpec(SpecPart):
 
 
 class PrinterSpec(SpecPart):
-    """Limits of the printer of core, mould and probes; figures left out are those of `name`.
+    """Limits of the printer of core, mould and probes; figures left out are those of the preset `name`, which
+    gives the process too.
 
     In a file, `printer = "profile.toml"` takes this table from another one next to it. Walls,
     features (pins, ribs) and holes below the given sizes fail; bosses too slender
-    and walls of too little draft for the `process` are warned of.
+    and walls of too little draft for the process are warned of.
     """
 
     name: str = "fdm-0.4"
-    process: Process = "fdm"
     bed_mm: tuple[Bed, Bed, Bed] = (220.0, 220.0, 240.0)
     wall_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
 
     @property
-    def process_figures(self) -> Printer:
-        """Aspect, draft and density of what the process makes, as of the first printer of its kind."""
-        return next(printer for printer in PRINTERS.values() if printer.process == self.process)
+    def preset(self) -> Printer:
+        """Process of the printer, with aspect, draft and density of what it makes."""
+        return printer_preset(self.name)
 
     @model_validator(mode="before")
     @classmethod
     def _figures_left_out(cls, given: Any) -> Any:
         if not isinstance(given, dict) or not isinstance(given.get("name", ""), str):
             return given
-        has_all_figures = set(cls.model_fields) - {"name"} <= set(given)
-        preset = {} if has_all_figures else asdict(printer_preset(given.get("name", "fdm-0.4")))
+        preset = asdict(printer_preset(given.get("name", "fdm-0.4")))
         return {key: value for key, value in preset.items() if key in cls.model_fields} | given

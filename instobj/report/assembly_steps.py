@@ -14,7 +14,7 @@ from design.spec.object import ObjectSpec
 def steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     """Return what to do, in order, with the figures of this object and the parts that were built."""
     first = ["Print all parts; remove strings and slivers, and see that the sliding parts move."]
-    if spec.printer.process == "resin" and spec.silicone.cure == "platinum":
+    if spec.printer.preset.process == "resin" and spec.silicone.cure == "platinum":
         first.append(
             "Printed resin inhibits platinum silicone: wash, cure under UV, bake at 60 °C for hours "
             "and coat the mould; try a spoonful on a scrap first."

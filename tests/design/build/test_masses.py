@@ -102,7 +102,7 @@ def test_the_whole_is_the_integral_over_the_triangles_of_all_parts(body, changes
             for key, value in changes.items()
         }
     )
-    printed = spec.printer.process_figures.density_g_per_cm3 / 1e3
+    printed = spec.printer.preset.density_g_per_cm3 / 1e3
     silicone = spec.silicone.density_g_per_cm3 / 1e3
     magnets = [half for pair in magnet_halves(spec, magnet_layout(spec)) for half in pair]
     boards = [
