@@ -45,7 +45,7 @@ def close():
 # Tuned and judged by what the object felt
 # ----------------------------------------
 # The policy stops at the force that friction needs, with a margin. The smallest margin that drops
-# nothing in eight closings is judged on eight new ones.
+# nothing in four closings is judged on four new ones.
 needed_n = np.linspace(1.5, 6.0, 9)  # weight / (2 × friction)
 
 
@@ -54,10 +54,10 @@ def stops(margin, read_n):
     return np.array([squeeze_n[1 + np.argmax(twice_n >= margin * n)] for n in needed_n])
 
 
-felt_n = [close()[1] for _ in range(16)]
+felt_n = [close()[1] for _ in range(8)]
 margins = np.arange(1.0, 2.4, 0.05)
-safe = [m for m in margins if all((stops(m, read_n) >= needed_n).all() for read_n in felt_n[:8])]
-judged_n = np.array([stops(safe[0], read_n) for read_n in felt_n[8:]])
+safe = [m for m in margins if all((stops(m, read_n) >= needed_n).all() for read_n in felt_n[:4])]
+judged_n = np.array([stops(safe[0], read_n) for read_n in felt_n[4:]])
 fixed_n = np.full(len(needed_n), 1.2 * needed_n.max())
 
 # %%

@@ -87,7 +87,6 @@ def with_blocks(**magnets):
     ("body", "changes"),
     [
         ("two_open", {}),
-        ("sphere", {}),
         ("capsule", with_blocks(shape="ring", diameter_mm=6.0, inner_diameter_mm=2.0)),
         ("cylinder", with_blocks(shape="block", size_mm=(5.0, 3.0))),
         ("ellipsoid", {}),

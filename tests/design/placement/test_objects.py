@@ -180,7 +180,7 @@ def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
     [
         (Request("box", (900.0, 900.0, 20.0)), "With its short edges longer about 900 × 900 ×"),
         (Request("pad", (30.0, 30.0, 3.0)), "with its short edges longer about 30 × 30 ×"),
-        (Request("box", (42.0, 42.0, 42.0), 8, 9), "4 sensors per face would fit"),
+        (Request("pad", (30.0, 30.0, 10.0), 6, 5), "5 sensors per face would fit"),
         (Request("box", (30.0, 30.0, 30.0), 1, 12), "5 magnets per face would fit"),
     ],
 )
