@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 Content = TypeVar("Content")
 _LIBRARIES = ("instobj",)
-WORTH_A_LINE_S = 5.0
+WORTH_A_LINE_S = 30.0
 """Time of a stage above which it gets a line of its own in a log, s."""
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {

@@ -19,7 +19,7 @@ MOST_SILENT_S = 5.0
 """Longest time between two looks whether a log needs a line, s."""
 LOG_EVERY_S = 300.0
 """Longest time between two lines of a log, s: a log is read afterwards, not watched."""
-MOST_NEWS = 15
+MOST_NEWS = 6
 """Lines about stages at work that a log gets before they come once in `LOG_EVERY_S` alone."""
 _shown = Event()
 

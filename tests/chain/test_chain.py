@@ -98,11 +98,9 @@ def test_run_works_through_every_stage_and_says_so(first):
 
 
 def test_a_run_ends_with_five_findings_and_the_page_in_few_lines(folder, first):
-    """Results are stored by now; where all are made, one line a stage of 5 s and more is added."""
+    """The first run made everything, and told its progress; this one finds it stored."""
     done = run("run", "small.toml", cwd=folder)
-    lines = [*done.stdout.splitlines(), *done.stderr.splitlines()]
-    made = sum(row["seconds"] >= WORTH_A_LINE_S for row in _document(first)["stages"])
-    assert len(lines) + made <= 30
+    assert len([*first.stderr.splitlines(), *done.stdout.splitlines()]) <= 30
     names = [line.split(":")[0].strip() for line in done.stdout.splitlines()]
     at = names.index("judged on")
     assert names[at - 1] in ("GO", "NO-GO")
