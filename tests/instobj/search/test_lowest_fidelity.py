@@ -1,6 +1,7 @@
 """Trials at the lowest fidelity level: each ends in its time, and does not fail for want of it."""
 
 import time
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -44,16 +45,24 @@ def test_trials_share_the_time_that_is_left(questions, at_once, left_s, ends):
     assert_allclose(np.array(made) - now, ends, atol=1.0)
 
 
-def made_up_search(steps):
-    """The specification of a search, its lowest level, and what its start scores there."""
+def spec_of_search(steps):
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0]}
     search = SearchSpec.model_validate({"vary": vary, "polish_steps": steps})
-    spec = made_up_spec().model_copy(update={"search": search})
+    return made_up_spec().model_copy(update={"search": search})
+
+
+@cache
+def scored_start():
+    """The lowest level's scorers, and what the start scores there; polishing changes neither."""
+    spec = spec_of_search(0)
     scorers = (layout_scorer(spec, press_basis(spec, made_up_motions(spec), FACE)),)
-    before = {
-        name: float(one)
-        for name, one in batch_scores(scorers, [layouts_of(spec, FACE)], ()).items()
-    }
+    scores = batch_scores(scorers, [layouts_of(spec, FACE)], ())
+    return scorers, {name: float(one) for name, one in scores.items()}
+
+
+def made_up_search(steps):
+    """The specification of a search, its lowest level, and what its start scores there."""
+    spec, (scorers, before) = spec_of_search(steps), scored_start()
     space = search_space(spec)
     tensors = layout_space(space, with_structure(spec, start_params(space)))
     return space, LowestFidelity(tensors, scorers, {OVER_LIMIT: before[OVER_LIMIT]}), before
@@ -189,7 +198,8 @@ def test_structures_share_the_presses_of_sizes_that_both_have(monkeypatch):
         "require",
         lambda run, name: SimpleNamespace(folder=f"{run.spec.magnets.sizes[0]}"),
     )
-    monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made_up_motions(spec))
+    made = made_up_motions(spec)
+    monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
 
     def presses(*parts):
         sizes = {f"magnet{k + 1}_size": part for k, part in enumerate(parts)}
