@@ -31,7 +31,7 @@ from instobj.store.readers import FINDINGS, METRICS
 _APART = 0.05
 """Share of the unit cube: leaders differ by at least that much in some variable."""
 _LEADERS_PER_FINALIST = 3
-"""Of three, one that cannot be fabricated or is worse at the second level makes room for another."""
+"""Two of three may fall out: they cannot be fabricated, or the second level finds them worse."""
 _SAME = 1e-3
 """Share of a variable's range: a trial as near the start in all variables is the start, rounded."""
 _ALLOWANCE = 1.25
