@@ -40,6 +40,14 @@ def coil_polarization_t(spec: ObjectSpec) -> float:
     return MU0_T_MM_PER_A * TURNS * CURRENT_A / size.height_mm * filling
 
 
+def coil_remanence_t(spec: ObjectSpec) -> float:
+    """Remanence of a magnet that, demagnetised by itself, has the polarization of a winding, T."""
+    from estimator.field.sources import magnet_source
+
+    at_work = magnet_source(spec.magnets).polarization_t
+    return coil_polarization_t(spec) * spec.magnets.remanences_t[0] / at_work
+
+
 def face_by_face(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> Signals:
     """Signals of presses, each face's sensors read while its own magnets alone are on."""
     from estimator.tolerances.assembly import designed
@@ -67,8 +75,7 @@ def run_electromagnets(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
     spec = changed(spec, QUICK_MESH) if quick else spec
     coils: dict[str, Any] = {
         "magnets.grade": None,
-        "magnets.remanence_t": coil_polarization_t(spec),
-        "magnets.recoil_permeability": 1.0,
+        "magnets.remanence_t": coil_remanence_t(spec),
     }
     wound = changed(spec, coils)
     presses = Run(spec).read(PRESSES)

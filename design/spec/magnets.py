@@ -12,7 +12,6 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from design.catalogue.magnets import (
-    NDFEB_RECOIL_PERMEABILITY,
     MagnetShape,
     magnet_grade,
     magnet_part,
@@ -21,7 +20,6 @@ from design.spec.base import (
     Coordinate,
     Length,
     Offset,
-    RecoilPermeability,
     Remanence,
     SpecPart,
 )
@@ -99,9 +97,8 @@ class MagnetSpec(SpecPart):
     `part` gives shape and dimensions (and grade) of a catalogued magnet. A ring has an
     `inner_diameter_mm`; a block has edges `size_mm` along the face's x and y. `remanence_t` is that
     at 20 °C; left out, it is the typical one of `grade`. All these are one for all magnets or one
-    each, but the shape, which is one for all.
-    `recoil_permeability` makes the polarization smaller than the remanence (docs/field.md); 1 takes the
-    two as equal.
+    each, but the shape, which is one for all. Magnets demagnetise themselves, which makes the polarization
+    smaller than the remanence (docs/field.md).
 
     Where magnets sit in the core (`arrangement`), their outer pole lies `depth_below_core_face_mm`
     below the core's face.
@@ -120,7 +117,6 @@ class MagnetSpec(SpecPart):
     height_mm: Length | LengthOfEach = 1.0
     grade: str | tuple[str, ...] | None = None
     remanence_t: Remanence | Annotated[tuple[Remanence, ...], Field(min_length=1)] = 1.43
-    recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     depth_below_core_face_mm: Offset = 0.0
     positions_mm: PlacesOfFaces = (
         (0.0, 0.0),

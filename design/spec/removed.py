@@ -50,6 +50,7 @@ REMOVED = {
     "load_cell.zero_v": "analog sensors give 2.5 V without load; presses are counted from rest",
     "magnets.current_a": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.kind": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "magnets.recoil_permeability": "it is that of sintered NdFeB, 1.05",
     "magnets.switching": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.temperature_c": "give magnets.remanence_t of warm magnets, 0.11 % less a kelvin above 20 °C",
     "magnets.turns": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",

@@ -20,7 +20,6 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, MagnetsModel, sum_over_magnets
 from estimator.field.sources import DiskMagnet, self_demagnetised
@@ -72,7 +71,7 @@ def environment(spec: ObjectSpec) -> Environment:
     strays = []
     for stray in around.magnets:
         size_t = float(np.linalg.norm(stray.remanence_t))
-        body = self_demagnetised(DiskMagnet(*stray.size_mm, 1.0), size_t, NDFEB_RECOIL_PERMEABILITY)
+        body = self_demagnetised(DiskMagnet(*stray.size_mm, 1.0), size_t)
         place, axis = np.asarray(stray.position_mm), _unit(stray.remanence_t)
         strays.append((FieldModel(body, "exact"), _column(place), _column(axis)))
     plates = tuple(

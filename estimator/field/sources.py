@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from jaxtyping import Float
 
+from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
 from design.spec.magnets import MagnetSize, MagnetSpec
 from estimator.field.demagnetisation import block_factor, cylinders_factor
 from estimator.field.vectors import Vector, cross, dot, plus_product
@@ -122,7 +123,7 @@ _Body = TypeVar("_Body", DiskMagnet, BlockMagnet)
 
 def magnet_sources(magnets: MagnetSpec) -> tuple[Magnet, ...]:
     """The magnets that a specification describes, one of each of its `distinct_sizes`, at its
-    temperature and working point.
+    working point.
 
     All are of a face's first magnet's grade; others have their fields times their `strengths`.
     """
@@ -143,14 +144,15 @@ def magnet_source(magnets: MagnetSpec) -> Magnet:
 
 def _source(magnets: MagnetSpec, size: MagnetSize) -> Magnet:
     hole, height = size.inner_diameter_mm, size.height_mm
-    remanence_t, permeability = magnets.remanences_t[0], magnets.recoil_permeability
+    remanence_t = magnets.remanences_t[0]
     if size.shape == "block":
-        return self_demagnetised(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)
-    disk = DiskMagnet(size.diameter_mm, height, 1.0, hole)
-    return self_demagnetised(disk, remanence_t, permeability)
+        return self_demagnetised(BlockMagnet(size.edges_mm, height, 1.0), remanence_t)
+    return self_demagnetised(DiskMagnet(size.diameter_mm, height, 1.0, hole), remanence_t)
 
 
-def self_demagnetised(outline: _Body, remanence_t: float, recoil_permeability: float) -> _Body:
+def self_demagnetised(
+    outline: _Body, remanence_t: float, recoil_permeability: float = NDFEB_RECOIL_PERMEABILITY
+) -> _Body:
     """A magnet that demagnetises itself: its mean polarization in place of the outline's.
 
     On the recoil line J = B_r + (μ_r − 1) μ0 H, and the mean of μ0 H inside a magnet that is alone

@@ -20,8 +20,8 @@ measured_mt = np.transpose(columns)
 # The model
 # ---------
 # ``magnet_field`` gives the flux density of all magnets of an object at rest, in T, at any points of
-# the object's frame. The object is a pad with this one magnet, polarized by 1 T along +z: with a
-# recoil permeability of 1 the polarization is the remanence.
+# the object's frame. The object is a pad with this one magnet along +z. It demagnetises itself:
+# ``polarization`` gives what is left of a remanence of 1 T.
 
 pad = instobj.ObjectSpec(
     name="one_magnet",
@@ -32,9 +32,9 @@ pad = instobj.ObjectSpec(
         "diameter_mm": 8.0,
         "height_mm": 2.0,
         "remanence_t": 1.0,
-        "recoil_permeability": 1.0,
     },
 )
+left_t = instobj.field.polarization(1.0, (8.0, 2.0))
 magnet_z_mm = pad.body.size_mm[2] / 2 - pad.shell.pocket_depth_mm + pad.magnets.height_mm / 2
 
 
@@ -50,7 +50,7 @@ def model_mt(numbers):
     shift_mm, turn, polarization_t = numbers[:3], numbers[3:6], numbers[6]
     points_mm = np.column_stack([x_mm, 0 * x_mm, 0 * x_mm]) + shift_mm + [0, 0, magnet_z_mm]
     field_t = instobj.magnet_field(pad, points_mm).values
-    return 1e3 * polarization_t * field_t @ rotation(turn).T
+    return 1e3 * polarization_t / left_t * field_t @ rotation(turn).T
 
 
 # %%
@@ -78,15 +78,12 @@ print(f"left over: {np.sqrt(np.mean(left_mt**2)):.3f} mT rms of {abs(measured_mt
 # --------------
 # The polarization comes out *below* the remanence that the grade guarantees (1170 mT; 1220 mT is
 # nominal). A flat disk demagnetises itself: on its recoil line the polarization is the remanence
-# over 1 + N (μ − 1), where N is the mean demagnetising factor of the shape. ``magnet_field`` knows
-# that: the recoil permeability μ of sintered NdFeB is 1.05, in some data sheets up to 1.10.
+# over 1 + N (μ − 1), where N is the mean demagnetising factor of the shape. The recoil permeability μ
+# of sintered NdFeB is 1.05, in some data sheets up to 1.10.
 
-above_mm = [[0.0, 0.0, 20.0]]
 predicted_mt = {}
 for permeability in (1.05, 1.10):
-    magnets = pad.magnets.changed(recoil_permeability=permeability)
-    working_t = instobj.magnet_field(pad.changed(magnets=magnets), above_mm).values[0, 2]
-    share = working_t / instobj.magnet_field(pad, above_mm).values[0, 2]
+    share = instobj.field.polarization(1.0, (8.0, 2.0), permeability)
     least_mt, nominal_mt = predicted_mt[permeability] = share * 1170, share * 1220
     print(f"μ {permeability}: {least_mt:.0f} (guaranteed) to {nominal_mt:.0f} mT (nominal)")
 

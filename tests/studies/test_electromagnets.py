@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from estimator.field.sources import magnet_source
 from estimator.signals.field_setup import scene
 from estimator.signals.presses import press_signals
 from studies.electromagnets import (
@@ -10,17 +11,20 @@ from studies.electromagnets import (
     HOLE_MM,
     TURNS,
     coil_polarization_t,
+    coil_remanence_t,
     face_by_face,
     run_electromagnets,
 )
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
-COILS = {"grade": None, "recoil_permeability": 1.0}
+
+def wound():
+    return coarse_spec(magnets={"grade": None, "remanence_t": coil_remanence_t(coarse_spec())})
 
 
-def wound(**tables):
-    polarization_t = coil_polarization_t(coarse_spec())
-    return coarse_spec(magnets=COILS | {"remanence_t": polarization_t}, **tables)
+def test_wound_magnets_have_the_polarization_of_the_winding():
+    polarization_t = magnet_source(wound().magnets).polarization_t
+    assert polarization_t == pytest.approx(coil_polarization_t(coarse_spec()), rel=1e-12)
 
 
 def test_a_face_feels_its_own_electromagnets_alone():

@@ -13,22 +13,19 @@ from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from estimator.field.environment import Plate, environment
 from estimator.field.forces import loads_by_each, mirrored, plate_loads, resting_loads
+from estimator.field.sources import magnet_source
 from tests.support.mechanics.odd_presses import SPEC
 
 MU0 = 4e-7 * np.pi
-DISK = MagnetSpec.model_validate({"remanence_t": 1.4, "recoil_permeability": 1.0})
-RING = MagnetSpec.model_validate(
-    {"remanence_t": 1.4, "recoil_permeability": 1.0, "shape": "ring", "inner_diameter_mm": 2.0}
-)
+DISK = MagnetSpec.model_validate({"remanence_t": 1.4})
+RING = MagnetSpec.model_validate({"remanence_t": 1.4, "shape": "ring", "inner_diameter_mm": 2.0})
 BLOCK = MagnetSpec.model_validate(
-    {
-        "remanence_t": 1.4,
-        "recoil_permeability": 1.0,
-        "shape": "block",
-        "size_mm": [5.0, 3.0],
-        "height_mm": 2.0,
-    }
+    {"remanence_t": 1.4, "shape": "block", "size_mm": [5.0, 3.0], "height_mm": 2.0}
 )
+
+
+def polarization_t(magnets):
+    return magnet_source(magnets).polarization_t
 
 
 def one(centre_mm, turn=(0.0, 0.0, 0.0), strength=1.0):
@@ -41,7 +38,7 @@ def one(centre_mm, turn=(0.0, 0.0, 0.0), strength=1.0):
 
 
 def magpylib_magnet(magnets, centre_mm, turn, strength=1.0):
-    size, polarization = magnets.sizes[0], (0, 0, 1.4 * strength)
+    size, polarization = magnets.sizes[0], (0, 0, polarization_t(magnets) * strength)
     height = size.height_mm / 1e3
     if magnets.shape == "block":
         edges = (*(edge / 1e3 for edge in size.edges_mm), height)
@@ -92,7 +89,7 @@ def test_coaxial_disks_pull_as_the_closed_form_says(gap_mm):
     integral = quad(
         lambda q: j1(q) ** 2 / q * np.sinh(q * tau) ** 2 * np.exp(-q * zeta), 0, 80, limit=400
     )[0]
-    expected = -8 * np.pi * (radius * 1e-3) ** 2 * 1.4**2 / (2 * MU0) * integral
+    expected = -8 * np.pi * (radius * 1e-3) ** 2 * polarization_t(DISK) ** 2 / (2 * MU0) * integral
     load = loads_by_each(one((0, 0, distance)), one((0, 0, 0)), DISK)[0, 0]
     assert_allclose(load[2], expected, rtol=0.003)
     assert_allclose(load[[0, 1, 3, 4, 5]], 0, atol=1e-9)
@@ -100,7 +97,7 @@ def test_coaxial_disks_pull_as_the_closed_form_says(gap_mm):
 
 def test_poles_that_oppose_repel_and_neighbours_of_one_pole_do_too():
     """Far away dipoles: 6 μ₀ m²/(4π r⁴) along the axis, 3 μ₀ m²/(4π r⁴) side by side."""
-    moment = 1.4 / MU0 * np.pi * 9e-9
+    moment = polarization_t(DISK) / MU0 * np.pi * 9e-9
     unit = 1e-7 * moment**2 / 0.08**4
     turned = one((0, 0, 0), (np.pi, 0, 0))
     for place, source, expected in (
@@ -134,7 +131,7 @@ def test_steel_pulls_with_half_the_work_of_two_magnets():
     image moves as the magnet does. Of a small tilted magnet, by differences of that energy."""
     small = DISK.changed(diameter_mm=0.4, height_mm=0.4)
     plate, turn = Plate(np.zeros(3), np.array([0.0, 0.0, 1.0]), 0.6), (0.7, 0.2, 0.0)
-    moment = 1.4 / MU0 * np.pi * 0.04e-9 * 0.4
+    moment = polarization_t(small) / MU0 * np.pi * 0.04e-9 * 0.4
 
     def energy(height_mm):
         m = moment * one((0, 0, 0), turn).axis[0]

@@ -13,6 +13,7 @@ from design.spec.assembly import AsBuiltSpec, BuiltMagnet
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.field.seating import ADHESION_N_PER_MM, all_stay, require_seated, seats
+from estimator.field.sources import magnet_source
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 PAIR = ((-5.0, 0.0), (5.0, 0.0))
@@ -30,10 +31,14 @@ def opposed(**magnets):
 
 def test_the_pull_is_that_of_a_neighbour_on_its_way_in_by_magpylib():
     """One pocket is 3 mm deep; the other magnet comes in from 3 mm above its seat."""
-    spec = opposed(recoil_permeability=1.0, remanence_t=1.4)
+    spec = opposed(remanence_t=1.4)
+
+    left_t = magnet_source(spec.magnets).polarization_t
 
     def disk(x_mm, z_mm, sign):
-        body = magpylib.magnet.Cylinder(polarization=(0, 0, sign * 1.4), dimension=(6e-3, 2.5e-3))
+        body = magpylib.magnet.Cylinder(
+            polarization=(0, 0, sign * left_t), dimension=(6e-3, 2.5e-3)
+        )
         body.position = (1e-3 * x_mm, 0, 1e-3 * z_mm)
         return body
 
