@@ -141,7 +141,8 @@ def write_contact_metrics(
     from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
     from instobj.figures.contacts import draw_contacts
 
-    chosen = frames.select(chosen_rows(frames, MOST_FRAMES))
+    rows = chosen_rows(frames, MOST_FRAMES)
+    chosen = frames.select(rows)
     best, second = inversion.read(
         all_counts(chosen), progress=lambda done: step(f"frame {done} of {len(chosen)}")
     )
