@@ -30,7 +30,7 @@ DISTANCES_MM = (10.5, 12.5, 15.0, 20.0, 25.0)
 DEPTH_MM = (0.6, 2.4)
 
 Draw = Callable[[np.random.Generator], list[Tip]]
-"""What places the tips of one press."""
+"""Function that places the tips of one press."""
 
 
 def main(path: Path, pairs: int) -> None:
@@ -95,7 +95,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="errors of the simulated object")
     parser.add_argument("spec", type=Path, nargs="?", default=PAPER_CUBE)
     parser.add_argument(
-        "--pairs", type=int, default=30, help="placements of a line, two states each"
+        "--pairs", type=int, default=100, help="placements of a line, two states each"
     )
     options = parser.parse_args()
     main(options.spec, options.pairs)

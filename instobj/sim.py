@@ -372,7 +372,7 @@ def _pitch_to_the_edges_mm(spec: ObjectSpec) -> float:
     """Return the pitch at which the outermost presses come nearest to the edges of all faces."""
     frames = face_frames(spec)
     half_mm = np.array([frame.half_lengths_mm for frame in frames])
-    # a grid has at most 100 locations along an axis
+    # a grid has at most 100 locations along an axis, and 0.8 of this pitch is tried below
     coarsest = min(spec.contact_grid.pitch_mm, max(_PITCH_MM, 2 * half_mm.max() / 80))
     if not all(frame.flat for frame in frames):
         return coarsest  # beyond a patch lies the next one

@@ -331,7 +331,7 @@ def smallest_gap_mm(ends_mm: Float[np.ndarray, "n 2 3"], reach_mm: Float[np.ndar
 def distances_of_segments_mm(
     a: Float[np.ndarray, "*n 2 3"], b: Float[np.ndarray, "*n 2 3"]
 ) -> Float[np.ndarray, "*n"]:
-    """Return the same for pairs of pieces."""
+    """Smallest distances (mm) between the two straight pieces of every pair, given by their ends."""
     return np.linalg.norm(_way_between(a, b), axis=-1)
 
 

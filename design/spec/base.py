@@ -45,7 +45,6 @@ Counts = Annotated[float, Field(ge=0, le=1e6)]
 """Offsets of a channel."""
 Density = Annotated[float, Field(ge=0.005, le=20)]
 """g/cm³; from foams to metals."""
-"""Relative; 1 takes a magnet's remanence as its polarization."""
 Count = Annotated[int, Field(ge=1, le=100_000)]
 
 

@@ -54,11 +54,9 @@ class LiveContacts:
         """Read a press: what the first one builds and imports takes a second, which comes too late live."""
         press = np.array([[[0.0, 0.0, 0.5 * self.inversion.model.bounds[1][2]]]])
         change = self.inversion.model.singles(np.zeros((1, 1), int), press)[0, 0, 0]
-        # the product that several contacts need takes a fifth of a second to build
-        _ = (
-            Tracker(self.inversion).feed(change).position_radius_mm,
-            self.inversion.model.pair_counts,
-        )
+        _ = Tracker(self.inversion).feed(change).position_radius_mm
+        # what several contacts need takes a fifth of a second to build
+        _ = self.inversion.model.pair_counts
 
     def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
         """Take the zero again from the frames that follow, with nothing pressed, or the level given."""

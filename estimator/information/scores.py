@@ -210,9 +210,13 @@ class PlaceBounds:
     not reach `score.force_n` are of its deepest press."""
 
     position_bound_mm: Float[np.ndarray, "face place"]
-    force_bound_n: Float[np.ndarray, "face place"]
     detectable_force_n: Float[np.ndarray, "face place"]
-    reaches_score_force: Bool[np.ndarray, "face place"]
+
+
+def reached_places(spec: ObjectSpec, signals: Signals) -> Bool[np.ndarray, "face place"]:
+    """Return at which contact locations a press reaches `score.force_n`."""
+    rows = [{"reached": face.reaches_score_force} for face in _pressed_faces(spec, signals)]
+    return _columns(spec, signals, rows)["reached"]
 
 
 def place_bounds(spec: ObjectSpec, signals: Signals) -> PlaceBounds:
@@ -224,9 +228,7 @@ def place_bounds(spec: ObjectSpec, signals: Signals) -> PlaceBounds:
         rows.append(
             {
                 "position_bound_mm": bounds.position_mm,
-                "force_bound_n": bounds.force_n,
                 "detectable_force_n": detectable,
-                "reaches_score_force": pressed.reaches_score_force,
             }
         )
     return PlaceBounds(**_columns(spec, signals, rows))

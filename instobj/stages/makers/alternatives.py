@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from functools import partial
+from functools import partial, reduce
 from itertools import combinations, product
 from pathlib import Path
 
@@ -21,7 +21,7 @@ from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec.silicone import SiliconeSpec
 from design.spec_io import check
-from estimator.information.scores import place_bounds
+from estimator.information.scores import place_bounds, reached_places
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
@@ -78,7 +78,7 @@ def alternatives(
     """
     read_by_source = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
     rows, possible = list[Alternative](), changes_of(spec)
-    judged = place_bounds(spec, signals).reaches_score_force
+    judged = reached_places(spec, signals)
     for size in range(len(possible) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
             break
@@ -87,7 +87,8 @@ def alternatives(
                 continue
             step(", ".join(changes) or "as specified")
             try:
-                changed = check(changed_spec(spec, changes))
+                # one change after the other
+                changed = check(reduce(lambda part, name: possible[name](part), changes, spec))
                 source = _source(changed)
                 if source not in read_by_source:
                     read = press_signals(changed, *load_presses(presses))
@@ -105,13 +106,6 @@ def alternatives(
 def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
     margins = row.saturation_margin, row.objects_margin
     return worst_ratio(spec.limits, row.weakest_bound_mm, row.worst_detectable_n, *margins) <= 1
-
-
-def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
-    possible = changes_of(spec)
-    for change in changes:
-        spec = possible[change](spec)
-    return spec
 
 
 def settings_of(spec: ObjectSpec, changed: ObjectSpec) -> tuple[str, ...]:
@@ -184,7 +178,7 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
 
 
 def _cast_of(name: str, spec: ObjectSpec) -> ObjectSpec:
-    """The object of another silicone, whose Poisson's ratio is left: the stored mechanics have it."""
+    """The object of another silicone. Poisson's ratio and layers stay, as the stored mechanics have them."""
     kept = spec.silicone.model_dump(
         include={"poisson_ratio", "layers", "prony", "thinnest_wall_mm"}
     )
@@ -196,8 +190,8 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 
 
 def changes_of(spec: ObjectSpec) -> dict[str, Change]:
-    """Return what can be changed of an object, under the names that users read: numbers of sensors, grade,
-    noise, and the least soft of the catalogue's silicones that are softer."""
+    """Return what can be changed of an object, under the names that users read; silicone becomes the next
+    softer one of the catalogue with the same cure."""
     softer = [
         silicone
         for silicone in SILICONES.values()

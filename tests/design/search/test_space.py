@@ -111,9 +111,9 @@ def test_poles_leave_grades_as_they_are():
 def test_another_magnet_in_the_core_leaves_the_boards_pockets_as_they_are():
     spec = specification(vary={"magnet_sizes": ["D6x1", "D8x2"]})
     reverse = spec.model_copy(update={"arrangement": "sensors-in-shell"})
-    found = with_structure(reverse, dict.fromkeys(SIZES, "D8x2"))
-    assert found.shell == spec.shell
-    assert {size.diameter_mm for size in found.magnets.sizes} == {8.0}
+    larger = with_structure(reverse, dict.fromkeys(SIZES, "D8x2"))
+    assert larger.shell == spec.shell
+    assert {size.diameter_mm for size in larger.magnets.sizes} == {8.0}
 
 
 def test_a_larger_magnet_keeps_its_pockets_clearance_and_seal():

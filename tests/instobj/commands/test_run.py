@@ -31,7 +31,7 @@ def specification(tmp_path, monkeypatch):
 def test_parts_of_an_object_that_was_scored_a_no_go_are_written_with_a_warning(
     specification, tmp_path, monkeypatch, recwarn
 ):
-    """Of an object that is good enough, or was not scored, `build` says nothing."""
+    """`build` says nothing of an object that is good enough, or was not scored."""
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     lend_mechanics(tmp_path / "store")
 

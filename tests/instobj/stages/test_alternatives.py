@@ -87,8 +87,8 @@ def test_larger_sets_are_tried_until_one_keeps_the_limits(pressed, limit_mm, lar
 
 
 def test_a_softer_silicone_is_judged_where_the_design_is(pressed):
-    """Where every location of the design reaches the force and none of the softer one does, its bounds are
-    those of the deepest press, which deforms both alike."""
+    """Every location of the design reaches the force, none of the softer one does. Its bounds are those of
+    the deepest press, which deforms both alike."""
     spec, signals, presses = pressed
     deepest = place_bounds(spec.changed(score=spec.score.changed(force_n=500.0)), signals)
     force = 0.9 * float(signals.force_n[..., -1].min())

@@ -56,8 +56,17 @@ def contacts(rng, frames: int, number: int, force_n=(2.0, 8.0), slots: int = 6):
 
 
 def expected_counts(model, face, contact):
-    """Undisturbed changes of counts."""
-    return model.singles(face, contact)[:, :, 0].sum(axis=1) + model.interaction(face, contact)
+    """Undisturbed changes of counts. What contacts do to each other comes from the exact field of their
+    summed motions, which the model that reads them takes to second order."""
+    filled = face >= 0
+    moved = np.zeros((*face.shape, *model.rest.shape))
+    each = model.motions.expected(face[filled], contact[filled])
+    moved[filled] = each.reshape(-1, *model.rest.shape)
+    exact = model.counts_of_motions(np.concatenate([moved[filled], moved.sum(axis=1)]))
+    alone = np.zeros((*face.shape, exact.shape[1]))
+    alone[filled] = exact[: -len(face)]
+    together = exact[-len(face) :] - alone.sum(axis=1)
+    return model.singles(face, contact)[:, :, 0].sum(axis=1) + together
 
 
 def motion_of(face, contact):

@@ -22,9 +22,9 @@ def simulated_changes(hall, press):
         frame.to_object(np.array([tip.x_mm, tip.y_mm, 0.0]))
         for frame, tip in zip(frames, press.tips, strict=True)
     ]
-    along = np.column_stack([press.shear_n, -press.force_n])
-    force = [frame.axes @ part for frame, part in zip(frames, along, strict=True)]
-    return hall.read(np.array(points), np.array(force)) - hall.rest_counts
+    in_faces_n = np.column_stack([press.shear_n, -press.force_n])
+    forces_n = [frame.axes @ force for frame, force in zip(frames, in_faces_n, strict=True)]
+    return hall.read(np.array(points), np.array(forces_n)) - hall.rest_counts
 
 
 def share_of_error(simulated, solved):

@@ -175,7 +175,7 @@ def test_what_several_patches_share_counts_once():
 
 
 def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
-    """Of 20 mm radius less 0.1 mm; one tip lands there by its lowest point, two 7.5 mm beside it."""
+    """Its radius is 20 mm less 0.1 mm; one tip lands by its lowest point, two 7.5 mm next to it."""
     spec, reach = body_spec("cylinder", indenter={"radius_mm": 5.0}), 0.0
     end = next(frame for frame in face_frames(spec) if frame.number == 1)
     turn = np.linspace(0, 2 * np.pi, 12)
