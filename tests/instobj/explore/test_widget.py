@@ -2,6 +2,7 @@
 
 import base64
 import json
+import time
 
 import numpy as np
 import pytest
@@ -77,8 +78,9 @@ class Notebook:
         self.page, self.view = page, view
 
     def carry(self, until):
-        """Traits and messages, until an expression of the page is true."""
-        for _ in range(400):
+        """Traits and messages, until an expression of the page is true, for a minute at most."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
             if self.page.ask(until):
                 return
             for message in self.page.ask("sent.splice(0)"):
