@@ -12,11 +12,12 @@ from operator import mul
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.cells import GO, NO_GO
+from instobj.report.cells import GO, NO_GO, percent_text
 from instobj.report.verdict import (
     judge,
     located_text,
     objects_text,
+    short_text,
     shown_against_limit,
     worst_ratio,
 )
@@ -35,7 +36,8 @@ _BEST = 7
 class Remedy:
     """Changes, the largest figure over its limit after them (1 and below is a go), and what they add.
 
-    `bound_mm` is the weakest position bound after them; `settings` are their lines `key = value`.
+    `bound_mm` is the weakest position bound after them; `unreached` the share of the locations where no
+    press has `force_n` any more; `settings` are their lines `key = value`.
     """
 
     changes: tuple[str, ...]
@@ -43,6 +45,8 @@ class Remedy:
     bound_mm: float
     price: float
     minutes: float
+    unreached: float = 0.0
+    force_n: float = 0.0
     settings: tuple[str, ...] = ()
 
     @property
@@ -51,18 +55,25 @@ class Remedy:
 
     @property
     def text(self) -> str:
-        """Changes with their price and build time."""
-        more = f"+{self.price:.0f} € for parts, +{self.minutes:.0f} min by hand"
-        return f"{_joined(self.changes)} ({'no more parts' if not self.price else more})"
+        """Changes with their price and build time, and what they no longer reach."""
+        more = f"+{self.price:.0f} € for magnets and sensors, +{self.minutes:.0f} min by hand"
+        more = more if self.price else "no more magnets or sensors"
+        if self.unreached:
+            more += (
+                f"; at {percent_text(self.unreached)} of the locations the deepest press is then below "
+                f"{self.force_n:g} N"
+            )
+        return f"{_joined(self.changes)} ({more})"
 
 
 def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
     """Every change and set of them of the stage `alternatives`; first the ones that turn it, cheapest first,
     then the nearest: by the weakest position bound where locations stay blind.
 
-    A set that holds a change which is enough by itself is left out.
+    A set that holds a change which is enough by itself is left out, and what makes the object no better.
     """
-    candidates = [_remedy(spec, rows[0], row) for row in rows[1:]]
+    specified, *changed = (_remedy(spec, rows[0], row) for row in rows)
+    candidates = [remedy for remedy in changed if _distance(remedy) < _distance(specified)]
     enough = {
         remedy.changes[0] for remedy in candidates if remedy.turns and len(remedy.changes) == 1
     }
@@ -74,9 +85,14 @@ def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
     return sorted(candidates, key=_order)
 
 
-def _order(remedy: Remedy) -> tuple[float, ...]:
+def _distance(remedy: Remedy) -> tuple[float, float]:
+    """Return how far from the limits it is: 1 % is no difference, and is worth no price."""
     bound = 0.0 if isfinite(remedy.ratio) else remedy.bound_mm
-    return max(remedy.ratio, 1), bound, remedy.price, remedy.minutes, remedy.ratio
+    return round(max(remedy.ratio, 1), 2), bound
+
+
+def _order(remedy: Remedy) -> tuple[float, ...]:
+    return *_distance(remedy), remedy.price, remedy.minutes, remedy.ratio
 
 
 def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
@@ -116,9 +132,10 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
     if objects is not None:
         built = objects_text(objects)
     good = "good enough" if verdict.go else "not good enough"
+    failed = "" if verdict.go else f" ({'; '.join(map(short_text, verdict.failed))})"
     lines = {
         GO if verdict.go else NO_GO: (
-            f"{good} for the use {spec.limits.use!r}; {located_text(spec, scores)}"
+            f"{good} for the use {spec.limits.use!r}{failed}; {located_text(spec, scores)}"
         ),
         "judged on": f"{verdict.covered:.0%} of the sensed surface; {built}",
         "limited by": verdict.limited_by,
@@ -149,22 +166,20 @@ def decision(candidates: list[Remedy], go: bool) -> str:
         return "Every limit is kept; nothing has to change"
     first = first_change(candidates)
     if first is None:
-        return "None of the changes tried here fits"
+        return "None of the changes tried here fits and makes it better"
     if first.turns:
         return f"Turns it into a go: {first.text}"
     helps = f"Helps most alone: {first.text}"
     if isfinite(first.ratio):
-        helps += f", with a figure still {_above(first.ratio)} its limit"
-    elif isfinite(first.bound_mm):
+        helps += f"; a figure is then still {_above(first.ratio)} its limit"
+    else:
         helps += (
-            f", with a weakest position bound of {first.bound_mm:.2g} mm; "
+            f"; the weakest position bound is then {first.bound_mm:.2g} mm, and "
             "some locations feel nothing up to the deepest press"
         )
-    else:
-        helps = "After each of them some locations stay blind up to the deepest press"
     return (
-        f"No change tried here is enough, alone or with others. {helps}. A thinner shell, larger "
-        "magnets or other places change more: instobj optimize"
+        f"None of the changes tried is enough, alone or with others. {helps}. Next to try: other places "
+        "(instobj optimize), or a thinner shell or larger magnets in the file"
     )
 
 
@@ -189,8 +204,15 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
     )
     added = (row[part] - start[part] for part in ("magnets", "sensors"))
     bound = row["weakest_bound_mm"]
-    settings = tuple(row["settings"])
-    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(*added), settings)
+    return Remedy(
+        tuple(row["changes"]),
+        ratio,
+        bound,
+        *price_and_minutes(*added),
+        row["unreached"],
+        spec.score.force_n,
+        tuple(row["settings"]),
+    )
 
 
 def _figures(spec: ObjectSpec, row: dict[str, Any]) -> list[str]:

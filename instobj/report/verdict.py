@@ -51,6 +51,11 @@ class Verdict:
         return all(check.passed for check in self.checks)
 
     @property
+    def failed(self) -> list[Check]:
+        """Return the checks that do not pass."""
+        return [check for check in self.checks if not check.passed]
+
+    @property
     def says_enough(self) -> bool:
         """Return whether little of the surface is left out."""
         return self.covered >= ENOUGH_COVERED
@@ -91,9 +96,17 @@ def judge(
     tightest = max(checks, key=lambda check: check.ratio)
     place = tightest.where.split(". ", 1)[0]  # sentences about other locations stand in the table
     reason = f"{tightest.what}: {tightest.value} ({place}), limit {tightest.limit}"
+    others = [short_text(check) for check in checks if not check.passed and check is not tightest]
+    if others:
+        reason += f". Also beyond its limit: {'; '.join(others)}"
     area = cell_areas_mm2(spec)  # of every location, face by face
     judged = float(area[scores.judged[scores.places]].sum() / area.sum())
     return Verdict(checks, reason, judged * covered_share(spec))
+
+
+def short_text(check: Check) -> str:
+    """Return what is judged in two words, its value and its limit."""
+    return f"{check.what.split(':')[0].lower()}: {check.value}, limit {check.limit}"
 
 
 SCORES_TITLE = "scores over the contact locations"

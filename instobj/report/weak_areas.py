@@ -59,15 +59,23 @@ def edge_text(content: dict[str, Any]) -> str:
         text = "the middle is located, the edges are not"
     elif times > 1:
         judged = "weak" if times >= _WEAK_FROM else "not weak"
-        text = f"{judged}, {times:g} times as uncertain as the middle"
+        text = f"{judged}, {times:g} times as uncertain as the middle{_thirds_text(content)}"
     elif times < 1:
         text = f"less uncertain than the middle ({times:g} times)"
     else:
         return "as good as the middle"
     outer, inner = content["edge_paths_mm"]
     if times > 1 and outer >= _FARTHER * inner:
-        text += f", because magnets and sensors are farther away ({outer:.0f} mm instead of {inner:.0f} mm)"
+        text += (
+            f", because magnets and sensors are farther away ({outer:.0f} mm, not {inner:.0f} mm)"
+        )
     return text
+
+
+def _thirds_text(content: dict[str, Any]) -> str:
+    """Return the two figures whose ratio is that of the edges."""
+    bounds = [third["bound_mm"] for third in content["thirds"] if third["measure"] == "border_mm"]
+    return f" ({bounds[0]:.2g} mm instead of {bounds[-1]:.2g} mm)" if bounds else ""
 
 
 def weak_text(content: dict[str, Any]) -> str:

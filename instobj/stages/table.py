@@ -310,7 +310,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=9,
+        version=10,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

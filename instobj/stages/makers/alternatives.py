@@ -36,15 +36,15 @@ _WIDER = (0.0, 0.5, 0.6, 0.7)
 """The same at least, where more sensors find no room further in."""
 _STRONGEST = max(GRADES.values(), key=lambda grade: grade.remanence_t)
 _LEAST_GAIN = 1.05
-"""Remanence after a change of grade over that before: makers' ranges within a grade span 5 %. The same for
-the modulus of a silicone over that of a softer one."""
+"""Remanence after a change of grade over that before: makers' ranges within a grade span 5 %."""
 
 
 @dataclass(frozen=True)
 class Alternative:
     """Figures after no change, one or more: position bounds (mm), worst detectable force (N), share of the
     sensors' range that stays free, in the design and in 95 % of its virtual objects; magnets and sensors of
-    the whole object. `settings` are the lines `key = value` that make the changes."""
+    the whole object; share of the judged locations that a press of `score.force_n` does not reach any more.
+    `settings` are the lines `key = value` that make the changes, by tables as in a specification."""
 
     changes: tuple[str, ...]
     weakest_bound_mm: float
@@ -54,6 +54,7 @@ class Alternative:
     objects_margin: float
     magnets: int
     sensors: int
+    unreached: float = 0.0
     settings: tuple[str, ...] = ()
 
 
@@ -109,17 +110,33 @@ def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
 
 
 def settings_of(spec: ObjectSpec, changed: ObjectSpec) -> tuple[str, ...]:
-    """Return lines `table.key = value` (TOML) that turn `spec` into `changed`; keys to leave out say so."""
+    """Return the lines (TOML) that turn `spec` into `changed`, each table's under its name; keys to leave out
+    say so."""
     lines = list[str]()
     keys_now, after = (either.model_dump(mode="json") for either in (spec, changed))
+    named = _figures_of_names(spec.silicone, changed.silicone)
     for table, keys in after.items():
         if not isinstance(keys, dict):
             continue
-        for key, value in keys.items():
-            if value != keys_now[table][key]:
-                name = f"{table}.{key}"
-                lines.append(f"# leave out {name}" if value is None else f"{name} = {_toml(value)}")
+        changes = {
+            key: value
+            for key, value in keys.items()
+            if value != keys_now[table][key] and not (table == "silicone" and key in named)
+        }
+        if changes:
+            lines.append(f"[{table}]")
+        for key, value in changes.items():
+            lines.append(f"# leave out {key}" if value is None else f"{key} = {_toml(value)}")
     return tuple(lines)
+
+
+def _figures_of_names(*silicones: SiliconeSpec) -> set[str]:
+    """Return the figures that every one of these has from its name, so that the name alone changes them."""
+    keys = set(SiliconeSpec.model_fields) - {"name"}
+    for silicone in silicones:
+        preset = SiliconeSpec(name=silicone.name) if silicone.name in SILICONES else None
+        keys = {key for key in keys if preset and getattr(preset, key) == getattr(silicone, key)}
+    return keys
 
 
 def _toml(value: object) -> str:
@@ -191,13 +208,16 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 
 def changes_of(spec: ObjectSpec) -> dict[str, Change]:
     """Return what can be changed of an object, under the names that users read; silicone becomes the next
-    softer one of the catalogue with the same cure."""
+    one of the catalogue that is surely softer, with the same cure."""
+    # Sources differ by more than neighbours in the catalogue do: of two moduli whose intervals overlap
+    # nobody knows which is the lower one.
+    least_mpa, _ = spec.silicone.youngs_modulus_range_mpa or [spec.silicone.youngs_modulus_mpa] * 2
     softer = [
         silicone
         for silicone in SILICONES.values()
         if silicone.casting is not None
         and silicone.casting.cure == spec.silicone.cure
-        and silicone.modulus.youngs_modulus_mpa < spec.silicone.youngs_modulus_mpa / _LEAST_GAIN
+        and silicone.modulus.high_mpa < least_mpa
     ]
     nearest = max(softer, key=lambda silicone: silicone.modulus.youngs_modulus_mpa, default=None)
     if nearest is None:
@@ -248,4 +268,5 @@ def alternative_of(
         objects_margin,
         faces * spec.magnets.count,
         faces * spec.sensors.count_per_face,
+        float(np.mean(~reached_places(spec, signals)[judged])),
     )

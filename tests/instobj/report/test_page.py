@@ -157,7 +157,7 @@ def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
     records = ("score_rows", "bounds", "cross_face", "weak_areas", "parts")
     content = dict.fromkeys(tables, rows) | dict.fromkeys(records, named_rows)
     content |= {
-        "settings": ["sensors.count_per_face = 4"],
+        "settings": ["[sensors]", "count_per_face = 4"],
         "decision": "Helps most alone: one more sensor (+15 € for parts, +75 min by hand)",
         "edge_text": "1.5 times as uncertain as the middle",
         "cross_face_force_n": 10.0,
@@ -168,6 +168,6 @@ def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
     made = page_of(spec, tmp_path, **content)
     assert_short(made)
     first = read_unfolded(made).split("Press it")[0]
-    for told in ("NO-GO", "sensors.count_per_face = 4", "+15 €", "Edges : 1.5 times"):
+    for told in ("NO-GO", "[sensors] count_per_face = 4", "+15 €", "Edges : 1.5 times"):
         assert told in first
     assert "12 of 30" in read(made), "what is folded is there"

@@ -22,6 +22,7 @@ def row(
     of_objects=0.5,
     magnets=10,
     sensors=10,
+    unreached=0.0,
     settings=(),
 ):
     return {
@@ -33,6 +34,7 @@ def row(
         "objects_margin": of_objects,
         "magnets": magnets,
         "sensors": sensors,
+        "unreached": unreached,
         "settings": list(settings),
     }
 
@@ -56,8 +58,8 @@ def test_the_cheapest_change_that_is_enough_comes_first_with_its_price_and_time(
     ]
     assert [(one.price, one.minutes) for one in found[:3]] == [(0, 0), (2, 20), (15, 75)]
     told = decision(found, go=False)
-    assert told == "Turns it into a go: free and soft (no more parts)"
-    assert found[1].text == "magnets (+2 € for parts, +20 min by hand)"
+    assert told == "Turns it into a go: free and soft (no more magnets or sensors)"
+    assert found[1].text == "magnets (+2 € for magnets and sensors, +20 min by hand)"
 
 
 def test_a_pair_says_nothing_new_where_half_of_it_is_enough():
@@ -75,7 +77,8 @@ def test_a_pair_says_nothing_new_where_half_of_it_is_enough():
     ],
 )
 def test_every_limit_counts(figures, ratio):
-    found = remedies(SPEC, [START, row(("a",), **figures)])
+    start = row((), bound_mm=9.0, force_n=99.0, margin=-9.0)
+    found = remedies(SPEC, [start, row(("a",), **figures)])
     assert not found[0].turns
     assert found[0].ratio == pytest.approx(ratio)
 
@@ -84,13 +87,11 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0, sensors=11)]
     told = decision(remedies(SPEC, rows), go=False)
     assert told.startswith(
-        "No change tried here is enough, alone or with others. Helps most alone: b (+3 €"
+        "None of the changes tried is enough, alone or with others. Helps most alone: b (+3 €"
     )
     assert "1.5 times its limit" in told
-    blind = [START, row(("a",), bound_mm=float("inf"))]
-    told = decision(remedies(SPEC, blind), go=False)
-    assert "some locations stay blind" in told
-    assert "Helps most alone" not in told
+    blind = [row(changes, bound_mm=float("inf")) for changes in ((), ("a",))]
+    assert decision(remedies(SPEC, blind), go=False).endswith("fits and makes it better")
     deaf = [
         row((), bound_mm=9.0, force_n=float("inf")),
         row(("cheap",), bound_mm=8.0, force_n=float("inf")),
@@ -99,8 +100,8 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     found = remedies(SPEC, deaf)
     assert [one.changes[0] for one in found] == ["sensors", "cheap"]
     told = decision(found, go=False)
-    helps = "most alone: sensors (+15 € for parts, +75 min by hand), with a weakest position bound of 3 mm"
-    assert f"{helps}; some locations feel nothing" in told
+    helps = "alone: sensors (+15 € for magnets and sensors, +75 min by hand); the weakest position bound is"
+    assert f"{helps} then 3 mm, and some locations feel nothing" in told
     assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
@@ -122,6 +123,22 @@ def test_what_is_not_detected_at_all_is_no_number():
     section = remedies_section(SPEC, {"alternatives": [blind, row(("a",))]}, go=False)
     assert section["alternatives"][0][1:4] == ["∞", "∞", "∞"]
     assert "inf" not in str(section)
+
+
+def test_what_makes_it_no_better_is_no_remedy_and_of_equals_the_cheapest_comes_first():
+    """One more sensor made a box worse, and a dear change stood above a free one that was as good."""
+    rows = [
+        START,
+        row(("worse",), bound_mm=5.7, sensors=15),
+        row(("dear",), bound_mm=3.0, sensors=15),
+        row(("free",), bound_mm=3.01),
+    ]
+    assert [one.changes for one in remedies(SPEC, rows)] == [("free",), ("dear",)]
+
+
+def test_a_remedy_says_where_the_force_is_no_longer_reached():
+    (soft,) = remedies(SPEC, [START, row(("soft",), unreached=0.62)])
+    assert "at 62 % of the locations the deepest press is then below 5 N" in soft.text
 
 
 def test_price_and_minutes_are_of_what_is_added():

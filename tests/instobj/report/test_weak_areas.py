@@ -61,9 +61,9 @@ def test_the_sentence_says_what_weak_locations_go_with_and_how_much():
         (
             1.54,
             (18.0, 9.0),
-            "weak, 1.5 times as uncertain as the middle, because magnets and sensors",
+            "weak, 1.5 times as uncertain as the middle (1.4 mm instead of 0.8 mm), because magnets",
         ),
-        (1.54, (9.0, 9.0), "weak, 1.5 times as uncertain as the middle"),
+        (1.54, (9.0, 9.0), "weak, 1.5 times as uncertain as the middle (1.4 mm instead"),
         (1.44, (9.0, 9.0), "not weak, 1.4 times as uncertain as the middle"),
         (1.04, (18.0, 9.0), "as good as the middle"),
         (0.8, (9.0, 18.0), "less uncertain than the middle (0.8 times)"),
