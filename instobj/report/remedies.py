@@ -28,6 +28,8 @@ from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
 """Price and time by hand of a magnet and of a sensor on its board. A magnet's pole is found and it is
 pressed in; a sensor gets five wires and is tested and glued. Estimates, to compare changes by."""
+_MOST_UNREACHED = 0.5
+"""Share of the locations whose deepest press stays below the force, beyond which a change is none."""
 _BEST = 7
 """Remedies in the table."""
 
@@ -70,10 +72,15 @@ def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
     """Every change and set of them of the stage `alternatives`; first the ones that turn it, cheapest first,
     then the nearest: by the weakest position bound where locations stay blind.
 
-    A set that holds a change which is enough by itself is left out, and what makes the object no better.
+    A set that holds a change which is enough by itself is left out, and what makes the object no better, or
+    no longer carries the force at most of the locations: smaller presses are judged there.
     """
     specified, *changed = (_remedy(spec, rows[0], row) for row in rows)
-    candidates = [remedy for remedy in changed if _distance(remedy) < _distance(specified)]
+    candidates = [
+        remedy
+        for remedy in changed
+        if _distance(remedy) < _distance(specified) and remedy.unreached <= _MOST_UNREACHED
+    ]
     enough = {
         remedy.changes[0] for remedy in candidates if remedy.turns and len(remedy.changes) == 1
     }

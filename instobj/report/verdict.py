@@ -253,6 +253,8 @@ def _saturation(spec: ObjectSpec, margin: float, objects: Saturation | None) -> 
 
 def objects_text(objects: Saturation) -> str:
     """Return how many virtual objects leave the range, at rest and from depth to depth."""
+    if not np.any(objects.out_share):
+        return f"all {objects.objects} virtual objects stay in range"
     shares = dict(zip(objects.depth_mm, objects.out_share, strict=True))
     at_rest, *pressed = (
         f"{100 * share:.1f} % {f'at {depth:g} mm' if depth else 'at rest'}"

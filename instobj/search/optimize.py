@@ -32,7 +32,7 @@ from instobj.search.possible import require_possible
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import FIRST_LOOK_S, TRIALS_SHARE, TimeLimit, trial_ends
 from instobj.search.trials import KeptTrials, open_trials
-from instobj.search.verdict import Promotion
+from instobj.search.verdict import Promotion, best_in_words
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import Workers, open_workers
@@ -83,17 +83,18 @@ def optimize(
         with progress.stage("promotion"):
             levels = Levels(folder / "rungs.json", say, others)
             promotion = Promoter(space, limit, levels).promote(kept)
+    kept_keys = [text for text in overrides if not text.startswith("search.seconds=")]
+    again = [*kept_keys, f"search.seconds={2 * limit.seconds:g}"]
     if promotion is None:
-        kept_keys = [text for text in overrides if not text.startswith("search.seconds=")]
-        again = [*kept_keys, f"search.seconds={2 * limit.seconds:g}"]
         return nothing_better(
             spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         ) | {"next": next_step("optimize again", path, out=out, overrides=again)}
     with progress.stage("report"):
         files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
-    return _document(spec, kept, promotion, files) | {
-        "next": next_step("optimize", folder / BEST, out=out)
-    }
+    go_on = next_step("optimize again", path, out=out, overrides=again)
+    if promotion.better:
+        go_on = next_step("optimize", folder / BEST, out=out)
+    return _document(spec, kept, promotion, files) | {"next": go_on}
 
 
 def forces_plan(spec: ObjectSpec) -> str:
@@ -263,14 +264,12 @@ def _search(
 def _document(
     spec: ObjectSpec, kept: KeptTrials, promotion: Promotion, files: list[Path]
 ) -> dict[str, Any]:
-    label = promotion.best.label
-    verdict = (
-        f"{label} is better than the start, at the highest fidelity level"
-        if promotion.better
-        else f"no layout is known to be better than the start at the highest fidelity level "
-        f"({'; '.join(promotion.objections)})"
-    )
-    verdict += f". best.toml is {label}: {promotion.gains}"
+    verdict = f"best.toml is {best_in_words(spec.search, promotion)}"
+    if not promotion.better:
+        verdict = (
+            "no layout is known to be better than the start at the highest fidelity level "
+            f"({'; '.join(promotion.objections)}). {verdict}"
+        )
     covered = f"{100 * covered_share(promotion.best.spec):.0f} % of the sensed surface"
     verdict += f". Judged at contact locations that cover {covered}"
     if promotion.shortened:

@@ -95,6 +95,22 @@ def merit(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> 
     return _mean_log(search, layout, start, level) + _EXCESS_WEIGHT * exceeded
 
 
+def best_known(search: SearchSpec, promotion: Promotion) -> Promoted:
+    """Return the best layout that is known: the start where what was found costs more than it gains."""
+    start, best = promotion.start, promotion.best
+    return start if merit(search, best, start, promotion.level) >= 0 else best
+
+
+def best_in_words(search: SearchSpec, promotion: Promotion) -> str:
+    """Return whether the best known layout is better than the start, and what the best one found gains."""
+    best = promotion.best.label
+    if promotion.better:
+        return f"{best}, better than the start at the highest fidelity level: {promotion.gains}"
+    if best_known(search, promotion) is promotion.start:
+        return f"your own layout, as nothing that was found is better. {best}: {promotion.gains}"
+    return f"{best}, not known to be better than the start: {promotion.gains}"
+
+
 def excess(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> dict[str, float]:
     """Shares by which limits are exceeded."""
     reached = layout.levels[level]

@@ -20,16 +20,11 @@ from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.trials import KeptTrials
-from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
+from instobj.search.verdict import Promoted, Promotion, best_in_words, best_known
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
 
 BEST, RESULTS = "best.toml", "search.json"
-LEVEL_NAMES = {
-    FIRST: "lowest fidelity level",
-    SECOND: "second fidelity level",
-    LAST: "highest fidelity level",
-}
 
 
 def write_outcome(
@@ -50,11 +45,9 @@ def write_outcome(
         write_specification(
             layout.spec, f"{space.spec.name}_finalist_{place}", written[-1], spec_folder
         )
-    verdict = (
-        "Better than the start" if promotion.better else "Not known to be better than the start"
-    )
-    about = f"{verdict}, by the {LEVEL_NAMES[promotion.level]}: {promotion.gains}"
-    written.append(write_best(promotion.best.spec, about, space.spec.name, folder, spec_folder))
+    best = best_known(space.spec.search, promotion).spec
+    about = best_in_words(space.spec.search, promotion)
+    written.append(write_best(best, about, space.spec.name, folder, spec_folder))
     written.append(folder / RESULTS)
     write_json(_results(promotion), written[-1])
     history = search_history(space, kept)

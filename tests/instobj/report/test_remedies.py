@@ -137,8 +137,9 @@ def test_what_makes_it_no_better_is_no_remedy_and_of_equals_the_cheapest_comes_f
 
 
 def test_a_remedy_says_where_the_force_is_no_longer_reached():
-    (soft,) = remedies(SPEC, [START, row(("soft",), unreached=0.62)])
-    assert "at 62 % of the locations the deepest press is then below 5 N" in soft.text
+    rows = [START, row(("soft",), unreached=0.42), row(("too soft",), unreached=0.62)]
+    (soft,) = remedies(SPEC, rows)
+    assert "at 42 % of the locations the deepest press is then below 5 N" in soft.text
 
 
 def test_price_and_minutes_are_of_what_is_added():

@@ -8,7 +8,17 @@ import pytest
 from design.spec.object import ObjectSpec
 from estimator.layouts.fidelity import excess_over_limit
 from instobj.search.fidelity import TwinRatio
-from instobj.search.verdict import LAST, Promoted, excess, gains_in_words, merit, objections
+from instobj.search.verdict import (
+    LAST,
+    Promoted,
+    Promotion,
+    best_in_words,
+    best_known,
+    excess,
+    gains_in_words,
+    merit,
+    objections,
+)
 from tests.support.objects.fidelity_scores import START
 from tests.support.objects.search_cases import made_up_spec
 
@@ -42,6 +52,30 @@ FAULTS = {
     "beyond limits.position_bound_mm = 1.5 outweighs what got better: position_over_limit misses its limit "
     "by 10 %": replace(BETTER, position_over_limit=1.32),
 }
+
+
+@pytest.mark.parametrize(
+    ("score", "is_start"),
+    [
+        (BETTER, False),
+        (replace(BETTER, position_over_limit=1.32), True),
+        (replace(START, worst_position_bound_mm=1.1), True),
+    ],
+)
+def test_the_best_known_layout_is_the_start_where_what_was_found_costs_more_than_it_gains(
+    score, is_start
+):
+    """A box's best.toml kept the limit at fewer locations than the user's own layout did."""
+    spec = made_up_spec()
+    start, best = (
+        Promoted(name, None, spec, {LAST: of})
+        for name, of in (("start", START), ("trial 3", score))
+    )
+    against = objections(spec.search, best, start, SURE)
+    promotion = Promotion(start, (best,), (best,), {}, SURE, {}, against, (1, 1))
+    assert (best_known(spec.search, promotion) is start) == is_start
+    words = best_in_words(spec.search, promotion)
+    assert words.startswith("your own layout" if is_start else "trial 3, better")
 
 
 def box_sharp_in_its_middle(blind_mm, middle_mm):
