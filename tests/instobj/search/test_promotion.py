@@ -59,7 +59,7 @@ FAULTS = {
     [
         (BETTER, False),
         (replace(BETTER, position_over_limit=1.32), True),
-        (replace(START, worst_position_bound_mm=1.1), True),
+        (replace(START, median_position_bound_mm=0.1), True),
     ],
 )
 def test_the_best_known_layout_is_the_start_where_what_was_found_costs_more_than_it_gains(
