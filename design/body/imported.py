@@ -87,7 +87,7 @@ def _read_unchanged(path: Path) -> trimesh.Trimesh:
 
 
 def _missing(path: Path) -> str:
-    return f"no body at {path}. Name an STL or STEP file in body.file"
+    return f"no body at {path}. Name an STL or STEP file by --from, or in body.file"
 
 
 def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:

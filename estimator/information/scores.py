@@ -114,8 +114,8 @@ class PlaceScores:
         if not out.any():
             return ""
         return (
-            f"{out.sum()} of {self.places.sum()} contact locations do not reach score.force_n; the least "
-            f"gets to {self.force_at_score_n[out].min():.3g} N. They are not judged. Press deeper "
+            f"{out.sum()} of {self.places.sum()} contact locations are not judged: the deepest press stays "
+            f"below score.force_n there, at {self.force_at_score_n[out].min():.3g} N or more. Press deeper "
             "(press.depths_mm), or lower the force"
         )
 
@@ -134,10 +134,10 @@ class PlaceScores:
         face, place = np.unravel_index(np.argmax(errors), errors.shape)
         x, y = self.grid.xy_mm[place]
         return (
-            f"At {misread.sum()} of {self.judged.sum()} contact locations maximum likelihood errs by more "
-            f"than {BEYOND_BOUND:g} times the bound, as signals fold or far places give nearly the same; "
-            f"most on face {self.faces[face]} at ({x:g}, {y:g}) mm: {errors[face, place]:.2g} mm, bound "
-            f"{self.position_bound_mm[face, place]:.2g} mm"
+            f"At {misread.sum()} of {self.judged.sum()} contact locations an estimator (maximum likelihood) "
+            f"errs by more than {BEYOND_BOUND:g} times the bound, as signals bend or a distant place gives "
+            f"nearly the same; most on face {self.faces[face]} at ({x:g}, {y:g}) mm: "
+            f"{errors[face, place]:.2g} mm, bound {self.position_bound_mm[face, place]:.2g} mm"
         )
 
 

@@ -231,16 +231,18 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
         if within == 1:
             return (
-                f"NO-GO is to be expected; {help_text} would bring every location within the limit"
+                f"NO-GO is to be expected; {help_text} would bring every location within the limit, as a go "
+                "needs"
             )
     if help_text:
         return (
             f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} or more within the "
-            "limit"
+            "limit; a go needs all of them there"
         )
     return (
-        f"NO-GO is to be expected, and brief searches with up to {request.sensors + 2} sensors on each face "
-        "found little better: take a smaller body, a softer silicone, or raise limits.position_bound_mm"
+        "NO-GO is to be expected, as a go needs every location within the limit, and brief searches with up "
+        f"to {request.sensors + 2} sensors on each face found little better: take a smaller body, a softer "
+        "silicone, or raise limits.position_bound_mm"
     )
 
 

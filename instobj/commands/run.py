@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError, InstobjError
+from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
 from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
@@ -107,7 +108,8 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
         across = boards_across_edges(spec)
         if across is not None:
             warnings.warn(across, stacklevel=2)
-        for text in (*seam_in_words(spec), *roughness_in_words(spec), memory_text(spec)):
+        texts = *seam_in_words(spec), *roughness_in_words(spec), memory_text(spec)
+        for text in (*texts, _little_range_text(checked)):
             if text:
                 warnings.warn(text, stacklevel=2)
         rows.append(
@@ -131,6 +133,17 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
             }
         )
     return {"command": "check", "specifications": rows}
+
+
+def _little_range_text(checked: SpecCheck) -> str:
+    """Say that less of the range is free at rest than must be in a press; nothing where more is."""
+    share = checked.largest_field_at_rest_mt / checked.range_mt
+    if share <= 1 - SATURATION_MARGIN:
+        return ""
+    return (
+        f"{share:.0%} of the sensors' range is used at rest, and a go needs {SATURATION_MARGIN:.0%} of it "
+        "free in the deepest press: take a wider range (sensors.range_mt) or weaker magnets"
+    )
 
 
 def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:

@@ -73,7 +73,7 @@ def edge_text(content: dict[str, Any]) -> str:
 
 
 def _thirds_text(content: dict[str, Any]) -> str:
-    """Return the two figures whose ratio is that of the edges."""
+    """Return the bounds of the outermost and of the innermost third."""
     bounds = [third["bound_mm"] for third in content["thirds"] if third["measure"] == "border_mm"]
     return f" ({bounds[0]:.2g} mm instead of {bounds[-1]:.2g} mm)" if bounds else ""
 

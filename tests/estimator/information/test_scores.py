@@ -177,7 +177,7 @@ def test_a_force_that_a_press_never_reaches_is_not_judged_under_its_name():
         assert np.isnan(values[out]).all()
         assert not np.isnan(values[scores.judged]).any()
     assert (
-        f"{out.sum()} of {scores.places.sum()} contact locations do not reach" in scores.unreached
+        f"{out.sum()} of {scores.places.sum()} contact locations are not judged" in scores.unreached
     )
     assert np.isfinite(weakest_place(scores).position_bound_mm)
 

@@ -1,6 +1,7 @@
 """What `instobj new` says of what comes next: memory, numbers of parts that help, time."""
 
 import re
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -115,6 +116,19 @@ def test_check_says_before_any_mesh_that_a_body_cannot_be_scored(big, tmp_path, 
     with pytest.warns(UserWarning, match="cannot be scored here.*response.*mesh.edge_mm"):
         check_specifications(paths[:1], [])
     assert memory_text(load_spec(paths[1], [])) == ""
+
+
+def test_check_warns_of_a_range_that_is_nearly_used_at_rest(tmp_path):
+    """With an MLX90393 of ±4.9 mT the docs' own block was valid, and no go by its range."""
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[sensors]\npart = "MLX90393"\nnoise_counts = [10, 10, 15]\n')
+    with pytest.warns(
+        UserWarning, match="95% of the sensors' range is used at rest.*sensors.range_mt"
+    ):
+        check_specifications([path], [])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_specifications([path], ["sensors.range_mt=9.8"])
 
 
 def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
