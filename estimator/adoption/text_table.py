@@ -26,6 +26,9 @@ _SAMPLE = 200
 _DROPPED = 0.05
 """Share of rows that may be damaged; where more are, the file is another."""
 _SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab", "|": "bar", " ": "blank"}
+_COMMA_OR_BLANK = ", "
+"""Labels behind blanks and tuples behind commas stand in one row."""
+_EITHER = re.compile(r"\s*,\s*|\s+")
 _CALL = re.compile(r"[A-Za-z_][\w.]*(?=[\[(])")
 _KEY = re.compile(r"[A-Za-z_]\w*\s*[:=]\s*")
 _BRACKETS = str.maketrans(dict.fromkeys("()[]{}<>\"'", " "))
@@ -94,10 +97,11 @@ def _table(lines: list[str]) -> TextTable:
     separator, width = _layout(middle)
     if width > MOST_COLUMNS:
         raise RecordingError(f"its rows have {width} cells, at most {MOST_COLUMNS} are read")
-    notes = [f"separator: {_SEPARATORS[separator]}, {width} columns"]
+    name = _SEPARATORS.get(separator, "comma or blank")
+    notes = [f"separator: {name}, {width} columns"]
     if any(plain[k] != line for k, line in enumerate(lines[:_SAMPLE])):
         notes.append("brackets, quotes and names before values are left out")
-    comma = separator != "," and _has_decimal_commas([_cells(row, separator) for row in middle])
+    comma = "," not in separator and _has_decimal_commas([_cells(row, separator) for row in middle])
     if comma:
         notes.append("commas inside numbers are decimal commas")
     names, first = _header(lines, separator, width)
@@ -128,17 +132,23 @@ def _table(lines: list[str]) -> TextTable:
 
 
 def _layout(sample: list[str]) -> tuple[str, int]:
-    """Return the separator that gives most rows one width with most numbers, and that width."""
-    best, choice = 0.0, (" ", 1)
-    for separator in _SEPARATORS:
+    """Return the separator that gives most rows one width with most numbers, and that width.
+
+    Two separators at once are taken where no single one leaves as few cells of text.
+    """
+    best, choice, most_numeric = 0.0, (" ", 1), 0.0
+    for separator in (*_SEPARATORS, _COMMA_OR_BLANK):
         rows = [_cells(row, separator) for row in sample]
         width, times = Counter(map(len, rows)).most_common(1)[0]
         cells = [cell for row in rows if len(row) == width for cell in row] or ["no number"]
-        numeric = np.mean([not cell or _is_value(cell) for cell in cells])
+        numeric = float(np.mean([not cell or _is_value(cell) for cell in cells]))
         # more columns win over fewer where both are tables of numbers
         score = times / len(rows) * numeric**4 * np.log2(1 + width)
+        # "1,5 2,0" is two decimal commas by blanks alone, four numbers by both
+        if separator == _COMMA_OR_BLANK and numeric <= most_numeric:
+            continue
         if score > best * 1.001:
-            best, choice = score, (separator, width)
+            best, choice, most_numeric = score, (separator, width), numeric
     return choice
 
 
@@ -149,6 +159,9 @@ def _is_value(cell: str) -> bool:
 def _cells(row: str, separator: str) -> list[str]:
     if separator == " ":
         return row.split()
+    if separator == _COMMA_OR_BLANK:
+        row = ",".join(_EITHER.split(row.strip()))
+        separator = ","
     cells = [cell.strip() for cell in row.split(separator)]
     return cells[:-1] if len(cells) > 1 and not cells[-1] else cells
 

@@ -28,6 +28,8 @@ FORMS = {
     "bars": rows("|{}|{}|{}|{}|{}|{}|").replace("\n|", "\n").removeprefix("|"),
     "tuples": rows("[({}, {}, {}), ({}, {}, {})]"),
     "named tuples": rows("array('f', [{}, {}, {}, {}, {}, {}])"),
+    "labels before tuples": rows("{} {} {} [({}, {}, {})]"),
+    "tuples without commas between": rows("({}, {}, {}) ({}, {}, {})"),
     "keys": rows("a: {}, b: {}, c: {}, d={}, e={}, f={}"),
     "header and comment": "# made today\na,b,c,d,e,f\n" + rows("{},{},{},{},{},{}"),
     "messages": "".join(
@@ -35,6 +37,9 @@ FORMS = {
         for row in NUMBERS.tolist()
     ),
     "decimal commas": rows("{};{};{};{};{};{}").replace(".", ","),
+    "decimal commas by blanks": "\n".join(
+        " ".join(f"{v:.2f}".replace(".", ",") for v in row) for row in NUMBERS.tolist()
+    ),
 }
 
 
