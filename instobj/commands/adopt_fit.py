@@ -33,6 +33,8 @@ _FAR = 0.15
 
 def why_not_fitted(identified: Identified, answers: Known) -> str:
     """Say why a log cannot be held against a specification; nothing where it can."""
+    if not identified.all_presses.labelled:
+        return "the specification is not fitted: no column says which face and place was pressed"
     if identified.kind not in ("level", "travel"):
         return (
             "the specification is not fitted: the label is no travel. Validate recordings of forces with "

@@ -80,6 +80,7 @@ def test_stamps_in_seconds_and_nanoseconds_are_one_time_by_values_and_by_names()
     names = [f"{axis}{chip}" for chip in range(1, 16) for axis in "XYZ"]
     known = ("stamp.sec", "stamp.nanosec", "Face", "Pos", "Level", *names)
     for log in (by_values, tell_columns(table([*stamps, LOG.columns()], known))):
+        assert log.time_s is not None
         np.testing.assert_allclose(log.time_s - log.time_s[0], rows / 40, atol=1e-6)
         np.testing.assert_array_equal(np.hstack([log.face, log.place, log.label]), LOG.labels)
 
