@@ -119,7 +119,7 @@ def find_presses(
 
 
 def _unlabelled(counts: Counts) -> ForeignPresses:
-    """Return rows against the level that most have: what a log without labels tells of its chips."""
+    """Return rows against the level that most have: a log without labels has no more of its chips."""
     level = _median(counts)
     rows = counts[:: max(1, len(counts) // _UNLABELLED_ROWS)]
     zero = np.zeros((len(rows), 1), int)
