@@ -30,8 +30,8 @@ def status_text(status: Status) -> str:
     supply = supply_text(status)
     return (
         f"board: {chips}, {silent} silent{supply and ', '}{supply}; {status.supply_errors} times too low a "
-        f"supply at a sensor, {status.bus_errors} failed transfers, {status.bus_recoveries} times the bus hung; "
-        f"last start by {status.start}"
+        f"supply at a sensor, {status.bus_errors} failed transfers, {status.bus_recoveries} times the bus "
+        f"hung; last start by {status.start}"
     )
 
 
