@@ -26,11 +26,14 @@ _SAMPLE = 200
 _DROPPED = 0.05
 """Share of rows that may be damaged; where more are, the file is another."""
 _SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab", "|": "bar", " ": "blank"}
-_COMMA_OR_BLANK = ", "
-"""Labels behind blanks and tuples behind commas stand in one row."""
-_EITHER = re.compile(r"\s*,\s*|\s+")
+_SEVERAL = ", "
+"""Labels behind blanks or semicolons and tuples behind commas stand in one row."""
+_ANY = re.compile(r"\s*[,;|]\s*|\s+")
+_MONITOR = re.compile(r"\d\d:\d\d:\d\d\.\d{3} -> ")
+"""Time that Arduino's serial monitor writes before a line."""
+_NOTHING = re.compile(r"\b(?:null|None)\b")
 _CALL = re.compile(r"[A-Za-z_][\w.]*(?=[\[(])")
-_KEY = re.compile(r"[A-Za-z_]\w*\s*[:=]\s*")
+_KEY = re.compile(r"(?<!\w)[\"']?[A-Za-z_]\w*[\"']?\s*[:=]\s*")
 _BRACKETS = str.maketrans(dict.fromkeys("()[]{}<>\"'", " "))
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(e[-+]?\d+)?", re.IGNORECASE)
 _STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:?\d\d)?")
@@ -78,7 +81,7 @@ def _text(path: Path) -> str:
 
 def _records(text: str) -> list[str]:
     """Return the rows: lines, or blocks between lines of `---` as ROS 2 prints messages."""
-    lines = [line.strip("\r\n") for line in text.splitlines()]
+    lines = [_MONITOR.sub("", line.strip("\r\n"), count=1) for line in text.splitlines()]
     if sum(line.strip() == "---" for line in lines) > 1:
         blocks, block = [], []
         for line in [*lines, "---"]:
@@ -92,12 +95,15 @@ def _records(text: str) -> list[str]:
 
 
 def _table(lines: list[str]) -> TextTable:
-    plain = [_KEY.sub("", _CALL.sub("", line)).translate(_BRACKETS) for line in lines]
+    plain = [
+        _NOTHING.sub("nan", _KEY.sub("", _CALL.sub("", line)).translate(_BRACKETS))
+        for line in lines
+    ]
     middle = plain[len(plain) // 4 :][:_SAMPLE]
     separator, width = _layout(middle)
     if width > MOST_COLUMNS:
         raise RecordingError(f"its rows have {width} cells, at most {MOST_COLUMNS} are read")
-    name = _SEPARATORS.get(separator, "comma or blank")
+    name = _SEPARATORS.get(separator, "several")
     notes = [f"separator: {name}, {width} columns"]
     if any(plain[k] != line for k, line in enumerate(lines[:_SAMPLE])):
         notes.append("brackets, quotes and names before values are left out")
@@ -137,7 +143,7 @@ def _layout(sample: list[str]) -> tuple[str, int]:
     Two separators at once are taken where no single one leaves as few cells of text.
     """
     best, choice, most_numeric = 0.0, (" ", 1), 0.0
-    for separator in (*_SEPARATORS, _COMMA_OR_BLANK):
+    for separator in (*_SEPARATORS, _SEVERAL):
         rows = [_cells(row, separator) for row in sample]
         width, times = Counter(map(len, rows)).most_common(1)[0]
         cells = [cell for row in rows if len(row) == width for cell in row] or ["no number"]
@@ -145,7 +151,7 @@ def _layout(sample: list[str]) -> tuple[str, int]:
         # more columns win over fewer where both are tables of numbers
         score = times / len(rows) * numeric**4 * np.log2(1 + width)
         # "1,5 2,0" is two decimal commas by blanks alone, four numbers by both
-        if separator == _COMMA_OR_BLANK and numeric <= most_numeric:
+        if separator == _SEVERAL and numeric <= most_numeric:
             continue
         if score > best * 1.001:
             best, choice, most_numeric = score, (separator, width), numeric
@@ -159,8 +165,8 @@ def _is_value(cell: str) -> bool:
 def _cells(row: str, separator: str) -> list[str]:
     if separator == " ":
         return row.split()
-    if separator == _COMMA_OR_BLANK:
-        row = ",".join(_EITHER.split(row.strip()))
+    if separator == _SEVERAL:
+        row = ",".join(_ANY.split(row.strip()))
         separator = ","
     cells = [cell.strip() for cell in row.split(separator)]
     return cells[:-1] if len(cells) > 1 and not cells[-1] else cells
