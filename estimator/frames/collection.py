@@ -100,7 +100,9 @@ def joined(parts: Sequence[FrameSet]) -> FrameSet:
     true = () if any(part.true_force_n is None for part in parts) else ("true_force_n",)
     names = (*PER_FRAME_FIELDS, *true)
     whole = {name: np.concatenate([getattr(part, name) for part in numbered]) for name in names}
-    return replace(parts[0], **({"true_force_n": None, "zero_error": None, "travel_mm": None} | whole))
+    return replace(
+        parts[0], **({"true_force_n": None, "zero_error": None, "travel_mm": None} | whole)
+    )
 
 
 def with_slots(frames: FrameSet, slots: int) -> FrameSet:
