@@ -155,6 +155,15 @@ def test_validation_takes_travel_for_what_it_is(bench):
     assert face["size_ratio"] == pytest.approx(1.0, abs=0.05)
 
 
+def test_the_self_test_reads_the_rest_of_presses_labelled_by_travel(bench):
+    found = [
+        run("bench", "selftest", "cube.toml", f"{name}.csv", "--json", cwd=bench)
+        for name in ("travel", "force")
+    ]
+    by_travel, by_force = (json.loads(test.stdout)["frames"] for test in found)
+    assert by_travel == pytest.approx(by_force, rel=0.1)
+
+
 def test_labels_of_travel_need_mechanics_and_stay_apart_from_forces(bench):
     with pytest.raises(RecordingError, match=r"machine's travel and no force\. Give --spec"):
         read_recording(bench / "travel.csv")
