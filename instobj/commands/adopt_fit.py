@@ -123,10 +123,12 @@ def fit_specification(
     run = Run(spec, progress)
     model = travel_model(spec, run.read(PRESSES)[1])
     thing = Moving.from_table(model)
-    findings, figures, fitted = [], {}, ""
-    for face, pressed in sorted(readings.items()):
-        with progress.stage(f"face {face}: arrangement, chips, magnets"):
-            findings.append(told_arrangement(spec, pressed, spec.seed).finding)
+    faces, figures, fitted = sorted(readings.items()), {}, ""
+    with progress.stage("arrangement"):
+        every = [pressed for _, pressed in faces]
+        findings = [told_arrangement(spec, every, spec.seed).finding]
+    for face, pressed in faces:
+        with progress.stage(f"face {face}: chips, magnets"):
             live = pressed.complete
             half = halves_of_places(live, spec.seed)
             fit = fit_object(thing, live.select(half))
