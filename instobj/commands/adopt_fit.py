@@ -125,8 +125,8 @@ def fit_specification(
     thing = Moving.from_table(model)
     faces, figures, fitted = sorted(readings.items()), {}, ""
     with progress.stage("arrangement"):
-        every = [pressed for _, pressed in faces]
-        findings = [told_arrangement(spec, every, spec.seed).finding]
+        presses_of_faces = [pressed for _, pressed in faces]
+        findings = [told_arrangement(spec, presses_of_faces, spec.seed).finding]
     for face, pressed in faces:
         with progress.stage(f"face {face}: chips, magnets"):
             live = pressed.complete
