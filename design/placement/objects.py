@@ -49,8 +49,8 @@ from design.placement.room import (
 from design.spec.base import complaints
 from design.spec.object import ObjectSpec
 
-Tables = dict[str, dict[str, Any]]
-"""Tables of a specification, with what differs from the paper's cube."""
+Tables = dict[str, Any]
+"""Tables of a specification with what differs from the paper's cube, and keys above them such as its name."""
 
 SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
 """Shares of a face's half extents: how far out parts are tried."""

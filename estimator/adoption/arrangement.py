@@ -7,6 +7,7 @@ differs. Far from the press a chip that moves feels nothing, and a magnet that m
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -65,17 +66,18 @@ class Arrangement:
 
 
 def told_arrangement(
-    spec: ObjectSpec, pressed: Pressed, seed: int = 0, kept: int = 2
+    spec: ObjectSpec, faces: Sequence[Pressed], seed: int = 0, kept: int = 2
 ) -> Arrangement:
-    """Fit both ways to four fifths of the places and judge them on the others, each fifth once.
+    """Fit both ways to four fifths of a face's places and judge them on the others, each fifth once.
 
-    `kept` starts of each fit are refined.
+    An object has one arrangement: places of all its faces decide together. `kept` starts of each fit are
+    refined.
     """
-    pressed = _one_travel(pressed.complete)
-    size = np.sum(pressed.change_mt**2)
+    deepest = [_one_travel(pressed.complete) for pressed in faces]
+    size = sum(np.sum(pressed.change_mt**2) for pressed in deepest)
     reverse, normal = (
-        _squares_left(moving_bodies(spec, sensors_move), pressed, seed, kept) / size
-        for sensors_move in (True, False)
+        np.concatenate([_squares_left(thing, pressed, seed, kept) for pressed in deepest]) / size
+        for thing in (moving_bodies(spec, True), moving_bodies(spec, False))
     )
     sign = np.random.default_rng((seed, 51)).choice([-1, 1], (EXCHANGES, len(reverse)))
     return Arrangement(float(1 - reverse.sum()), float(1 - normal.sum()), sign @ (normal - reverse))

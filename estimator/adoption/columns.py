@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,10 @@ MOST_FACES, MOST_PLACES = 6, 1000
 """Largest number of a face, and of a place, that a label holds."""
 _CALM = 0.5
 """Share of rows in which a label changes, at most."""
+_RISING = 0.999
+"""Share of steps that do not fall, of a stamp."""
+_MOST_COUNT = 1e6
+"""Number that no chip of 20 bits writes: nanoseconds go beyond."""
 _ROWS = 3000
 """Rows from which the activity of channels is taken."""
 _WORDS = {
@@ -102,6 +107,9 @@ def tell_columns(table: TextTable, columns: str | None = None) -> ForeignLog:
         chips, by_chip = _ordered(table.names, chips)
     values, labels = table.values, columns_of["force"] or columns_of["level"]
     time_s = values[:, columns_of["time"][0]] if columns_of["time"] else None
+    for first, second in pairwise(columns_of["time"]):
+        if _is_nanoseconds(values[:, first], values[:, second]):
+            time_s = values[:, first] + 1e-9 * values[:, second]
     said = [f"{len(columns_of[role])} {role}" for role in ROLES[:-1] if columns_of[role]]
     note = f"columns told {source}: {', '.join([*said, f'{len(chips) // 3} chips of three axes'])}"
     stated = "" if table.names is None else " ".join(table.names[k] for k in labels)
@@ -155,10 +163,19 @@ def _ordered(names: tuple[str, ...], chips: list[int]) -> tuple[list[int], bool 
 def _roles_of_values(values: Float[np.ndarray, "row column"]) -> list[str]:
     width = values.shape[1]
     kinds = [_kind(values[:, column]) for column in range(width)]
+    for column in range(1, width):
+        if _is_nanoseconds(values[:, column - 1], values[:, column]):
+            kinds[column - 1 : column + 1] = ["time", "time"]
     head = next((k for k, kind in enumerate(kinds) if not kind), width)
+    # the first chips may never answer, three columns each; other columns of zeros say nothing
+    zeros = next((k for k in range(head) if not _is_silent(values[:, head - 1 - k])), head)
+    head -= zeros - zeros % 3
+    kinds[:head] = [
+        "constant" if _is_silent(values[:, k]) else kind for k, kind in enumerate(kinds[:head])
+    ]
     tail = next((k for k, kind in enumerate(kinds[::-1]) if kind not in ("label", "time")), 0)
     # the last chips may never answer: columns of zeros at the end are no labels
-    while tail and np.isin(values[:, width - tail], (0.0, -1.0)).all():
+    while tail and _is_silent(values[:, width - tail]):
         tail -= 1
     forces = _continuous_labels(values, head, width - tail, kinds)
     roles = [*kinds[:head], *["chips"] * (width - head - tail), *kinds[width - tail :]]
@@ -170,6 +187,21 @@ def _roles_of_values(values: Float[np.ndarray, "row column"]) -> list[str]:
     return ["-" if role == "constant" else role for role in roles]
 
 
+def _is_silent(column: Float[np.ndarray, "row"]) -> bool:
+    return bool(np.isin(column, (0.0, -1.0)).all())
+
+
+def _is_nanoseconds(seconds: Float[np.ndarray, "row"], rest: Float[np.ndarray, "row"]) -> bool:
+    """Return whether two columns are one stamp, as ROS 2 writes it: whole seconds, then nanoseconds."""
+    if not (np.isfinite(seconds).all() and np.isfinite(rest).all()) or rest.max() <= _MOST_COUNT:
+        return False
+    whole = np.all(seconds == np.round(seconds)) and np.all(rest == np.round(rest))
+    # subtracted first: 1.7e9 s leave no room for nanoseconds in 64 bits
+    step = np.diff(seconds) + 1e-9 * np.diff(rest)
+    rises = np.all(np.diff(seconds) >= 0) and np.mean(step >= 0) > _RISING
+    return bool(whole and rises and rest.min() >= 0 and rest.max() < 1e9)
+
+
 def _kind(column: Float[np.ndarray, "row"]) -> str:
     """Return time, label or nothing, from one column's values alone."""
     readings = column[np.isfinite(column)]
@@ -177,7 +209,7 @@ def _kind(column: Float[np.ndarray, "row"]) -> str:
         return "constant"
     step, whole = np.diff(readings), bool(np.all(readings == np.round(readings)))
     distinct = len(np.unique(readings))
-    rising = len(step) > 0 and float(np.mean(step >= 0)) > 0.999 and distinct > 1
+    rising = len(step) > 0 and float(np.mean(step >= 0)) > _RISING and distinct > 1
     if rising and (not whole or distinct > MOST_PLACES or readings.max() > 1e6):
         return "time"
     calm = len(step) > 0 and float(np.mean(step != 0)) < _CALM

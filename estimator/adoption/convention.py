@@ -36,6 +36,11 @@ class Convention:
     turn: Float[np.ndarray, "3 3"]
     cosine: float
 
+    @property
+    def reversed_poles(self) -> bool:
+        """Return whether the poles lie the other way than designed."""
+        return bool(np.linalg.det(self.turn) < 0)
+
     def agrees(self, convention: Convention) -> bool:
         """Return whether both have the same order and turn."""
         same_turn = np.array_equal(self.turn, convention.turn)

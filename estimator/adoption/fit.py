@@ -31,6 +31,8 @@ BEYOND_MM = 1.0
 _CONTACTS_MM = (0.5, 3.0)
 """Heights above the zero of travel at which contact is first assumed."""
 _KEPT, _ROUNDS = 3, 30
+_ALIKE = 1.05
+"""Ratio of costs up to which two fits are alike."""
 
 Motion = Callable[
     [Float[np.ndarray, "press 2"], Float[np.ndarray, "press"], Float[np.ndarray, "extra"]],
@@ -111,6 +113,11 @@ class ObjectFit:
         return Pose(np.array([x, y]), float(turn), float(contact), self.symmetry)
 
     @property
+    def mirrored(self) -> bool:
+        """Return whether the machine's axes are a mirror image of the object's."""
+        return bool(np.linalg.det(SYMMETRIES[self.symmetry]) < 0)
+
+    @property
     def travel_scale(self) -> float:
         """Travel of the shell per travel of the machine."""
         return float(np.exp(SCALES[4] * self.numbers[4]))
@@ -158,6 +165,27 @@ def fit_object(thing: Moving, pressed: Pressed, kept: int = _KEPT) -> ObjectFit:
     InputError
         The designed object cannot be pressed so.
     """
+    return _best(_starts(thing, pressed)[:kept], pressed)[1]
+
+
+def fit_both_hands(thing: Moving, pressed: Pressed) -> tuple[ObjectFit, ObjectFit | None]:
+    """Fit an object, and its mirror image where that leaves as little: a log of places has no handedness.
+
+    Of two that fit alike the one with the designed poles is the first; None where one alone fits.
+    """
+    starts = _starts(thing, pressed)
+    hands = [
+        _best([start for start in starts if start.mirrored == mirrored][:_KEPT], pressed)
+        for mirrored in (False, True)
+    ]
+    (cost, fit), (rival_cost, rival) = sorted(hands, key=lambda fit_and_cost: fit_and_cost[0])
+    if rival_cost > _ALIKE * cost:
+        return fit, None
+    return (rival, fit) if fit.convention.reversed_poles else (fit, rival)
+
+
+def _starts(thing: Moving, pressed: Pressed) -> list[ObjectFit]:
+    """Return fits to begin with under every symmetry of the machine's axes, the most promising first."""
     starts = []
     for symmetry in range(len(SYMMETRIES)):
         for contact in _CONTACTS_MM:
@@ -167,15 +195,19 @@ def fit_object(thing: Moving, pressed: Pressed, kept: int = _KEPT) -> ObjectFit:
             numbers[4] = np.log(min(1.0, thing.deepest_mm / deepest)) / SCALES[4]
             unknown = Convention(np.arange(pressed.change_mt.shape[1]), np.eye(3), -1.0)
             starts.append(_with_convention(ObjectFit(thing, symmetry, numbers, unknown), pressed))
-    starts.sort(key=lambda fit: -fit.convention.cosine)
-    refined = [_refined(start, pressed) for start in starts[:kept]]
+    return sorted(starts, key=lambda fit: -fit.convention.cosine)
+
+
+def _best(starts: list[ObjectFit], pressed: Pressed) -> tuple[float, ObjectFit]:
+    """Return the least cost of some starts, refined, and its fit."""
+    refined = [_refined(start, pressed) for start in starts]
     others = [_with_convention(fit, pressed) for _, fit in refined]
     again = [
         _refined(alternative, pressed)
         for alternative, (_, fit) in zip(others, refined, strict=True)
         if not alternative.convention.agrees(fit.convention)
     ]
-    return min((*refined, *again), key=lambda fit_and_cost: fit_and_cost[0])[1]
+    return min((*refined, *again), key=lambda fit_and_cost: fit_and_cost[0])
 
 
 def _with_convention(fit: ObjectFit, pressed: Pressed) -> ObjectFit:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,9 @@ from estimator.adoption.places import PlaceOrder, order_of_places
 from estimator.adoption.presses import ForeignPresses, find_presses, label_kind
 from estimator.adoption.text_table import read_text_table
 from estimator.recordings.formats.text import naming
+
+ANSWERING = "chips that answer"
+"""Question to a log that names no face: which chips see presses at all."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +120,10 @@ def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
         tables.append(presses)
         kinds.append(kind)
     _require_alike(paths, tables, kinds)
-    chips, of_faces = chips_under_faces(_joined(tables), seed)
+    joined = _joined(tables)
+    chips, of_faces = chips_under_faces(joined, seed)
+    if not joined.labelled:
+        chips, of_faces = {}, [replace(finding, question=ANSWERING) for finding in of_faces]
     where = paths[0].name if len(paths) == 1 else "all logs"
     findings += [(where, finding) for finding in of_faces]
     orders = {}
@@ -135,7 +141,8 @@ def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
 
 def _require_alike(paths: list[Path], tables: list[ForeignPresses], kinds: list[str]) -> None:
     for path, table, kind in zip(paths, tables, kinds, strict=True):
-        if table.change.shape[1] != tables[0].change.shape[1] or kind != kinds[0]:
+        alike = (table.change.shape[1], table.labelled, kind)
+        if alike != (tables[0].change.shape[1], tables[0].labelled, kinds[0]):
             raise RecordingError(
                 f"{path} holds {table.change.shape[1]} chips and {kind} labels, {paths[0]} "
                 f"{tables[0].change.shape[1]} and {kinds[0]}. Adopt logs of one object and kind together"

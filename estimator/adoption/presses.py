@@ -25,6 +25,8 @@ _LONGEST_LAG = 20
 """Rows by which forces may come late, at most."""
 _LEAST_ROWS = 3
 _SHIFTS = 99
+_UNLABELLED_ROWS = 1000
+"""Rows of a log without labels that stand for its presses, spread evenly."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,11 @@ class ForeignPresses:
     def size(self) -> Float[np.ndarray, "press chip"]:
         """Length of each chip's change, counts."""
         return np.linalg.norm(self.change, axis=2)
+
+    @property
+    def labelled(self) -> bool:
+        """Return whether the log says which places were pressed."""
+        return bool((self.place > 0).any())
 
     def select(self, rows: np.ndarray) -> ForeignPresses:
         """Some of the presses."""
@@ -87,18 +94,15 @@ def label_kind(log: ForeignLog, given: str | None) -> tuple[str, Finding]:
 def find_presses(
     log: ForeignLog, counts: Counts, kind: str
 ) -> tuple[ForeignPresses, list[Finding]]:
-    """Cut a log into presses.
+    """Cut a log into presses; rows stand for them, at place 0, where no column names places or faces.
 
     Raises
     ------
     RecordingError
-        No labels of places or faces, or no press in it.
+        No press in it.
     """
     if not (log.place.shape[1] or log.face.shape[1]):
-        raise RecordingError(
-            "no column says which place or face was pressed, so presses cannot be told from rest. Record "
-            "labels, or state them: --known columns=face,place,level,chips"
-        )
+        return _unlabelled(counts), []
     face, place = _whole(log.face, log.place.shape[1]), _whole(log.place, log.face.shape[1])
     label = log.label if log.label.shape[1] else np.ones((len(counts), 1))
     label, findings = np.nan_to_num(label), []
@@ -112,6 +116,14 @@ def find_presses(
     spans = [(a, b) for a, b in runs(block.ravel()) if b - a >= _LEAST_ROWS]
     cut = _cut_forces if kind == "force" else _cut_levels
     return cut(face, place, label, counts, spans, np.asarray(idle)), findings
+
+
+def _unlabelled(counts: Counts) -> ForeignPresses:
+    """Return rows against the level that most have: a log without labels has no more of its chips."""
+    level = _median(counts)
+    rows = counts[:: max(1, len(counts) // _UNLABELLED_ROWS)]
+    zero = np.zeros((len(rows), 1), int)
+    return ForeignPresses(zero + 1, zero, 0.0 * zero, rows - level, level, rows[:0])
 
 
 def _whole(labels: Float[np.ndarray, "row contact"], others: int) -> Int[np.ndarray, "row contact"]:

@@ -26,8 +26,14 @@ _SAMPLE = 200
 _DROPPED = 0.05
 """Share of rows that may be damaged; where more are, the file is another."""
 _SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab", "|": "bar", " ": "blank"}
+_SEVERAL = ", "
+"""Labels behind blanks or semicolons and tuples behind commas stand in one row."""
+_ANY = re.compile(r"\s*[,;|]\s*|\s+")
+_MONITOR = re.compile(r"\d\d:\d\d:\d\d\.\d{3} -> ")
+"""Time that Arduino's serial monitor writes before a line."""
+_NOTHING = re.compile(r"\b(?:null|None)\b")
 _CALL = re.compile(r"[A-Za-z_][\w.]*(?=[\[(])")
-_KEY = re.compile(r"[A-Za-z_]\w*\s*[:=]\s*")
+_KEY = re.compile(r"(?<!\w)[\"']?[A-Za-z_]\w*[\"']?\s*[:=]\s*")
 _BRACKETS = str.maketrans(dict.fromkeys("()[]{}<>\"'", " "))
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(e[-+]?\d+)?", re.IGNORECASE)
 _STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:?\d\d)?")
@@ -75,7 +81,7 @@ def _text(path: Path) -> str:
 
 def _records(text: str) -> list[str]:
     """Return the rows: lines, or blocks between lines of `---` as ROS 2 prints messages."""
-    lines = [line.strip("\r\n") for line in text.splitlines()]
+    lines = [_MONITOR.sub("", line.strip("\r\n"), count=1) for line in text.splitlines()]
     if sum(line.strip() == "---" for line in lines) > 1:
         blocks, block = [], []
         for line in [*lines, "---"]:
@@ -89,15 +95,19 @@ def _records(text: str) -> list[str]:
 
 
 def _table(lines: list[str]) -> TextTable:
-    plain = [_KEY.sub("", _CALL.sub("", line)).translate(_BRACKETS) for line in lines]
+    plain = [
+        _NOTHING.sub("nan", _KEY.sub("", _CALL.sub("", line)).translate(_BRACKETS))
+        for line in lines
+    ]
     middle = plain[len(plain) // 4 :][:_SAMPLE]
     separator, width = _layout(middle)
     if width > MOST_COLUMNS:
         raise RecordingError(f"its rows have {width} cells, at most {MOST_COLUMNS} are read")
-    notes = [f"separator: {_SEPARATORS[separator]}, {width} columns"]
+    name = _SEPARATORS.get(separator, "several")
+    notes = [f"separator: {name}, {width} columns"]
     if any(plain[k] != line for k, line in enumerate(lines[:_SAMPLE])):
         notes.append("brackets, quotes and names before values are left out")
-    comma = separator != "," and _has_decimal_commas([_cells(row, separator) for row in middle])
+    comma = "," not in separator and _has_decimal_commas([_cells(row, separator) for row in middle])
     if comma:
         notes.append("commas inside numbers are decimal commas")
     names, first = _header(lines, separator, width)
@@ -128,17 +138,23 @@ def _table(lines: list[str]) -> TextTable:
 
 
 def _layout(sample: list[str]) -> tuple[str, int]:
-    """Return the separator that gives most rows one width with most numbers, and that width."""
-    best, choice = 0.0, (" ", 1)
-    for separator in _SEPARATORS:
+    """Return the separator that gives most rows one width with most numbers, and that width.
+
+    Two separators at once are taken where no single one leaves as few cells of text.
+    """
+    best, choice, most_numeric = 0.0, (" ", 1), 0.0
+    for separator in (*_SEPARATORS, _SEVERAL):
         rows = [_cells(row, separator) for row in sample]
         width, times = Counter(map(len, rows)).most_common(1)[0]
         cells = [cell for row in rows if len(row) == width for cell in row] or ["no number"]
-        numeric = np.mean([not cell or _is_value(cell) for cell in cells])
+        numeric = float(np.mean([not cell or _is_value(cell) for cell in cells]))
         # more columns win over fewer where both are tables of numbers
         score = times / len(rows) * numeric**4 * np.log2(1 + width)
+        # "1,5 2,0" is two decimal commas by blanks alone, four numbers by both
+        if separator == _SEVERAL and numeric <= most_numeric:
+            continue
         if score > best * 1.001:
-            best, choice = score, (separator, width)
+            best, choice, most_numeric = score, (separator, width), numeric
     return choice
 
 
@@ -149,6 +165,9 @@ def _is_value(cell: str) -> bool:
 def _cells(row: str, separator: str) -> list[str]:
     if separator == " ":
         return row.split()
+    if separator == _SEVERAL:
+        row = ",".join(_ANY.split(row.strip()))
+        separator = ","
     cells = [cell.strip() for cell in row.split(separator)]
     return cells[:-1] if len(cells) > 1 and not cells[-1] else cells
 

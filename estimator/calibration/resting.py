@@ -6,6 +6,7 @@ import csv
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -14,6 +15,9 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.recordings.formats.text import csv_rows, naming, numbers, read_bytes
 from estimator.signals.hall import full_scale_counts
+
+if TYPE_CHECKING:
+    from estimator.recordings.travel_labels import TravelForces
 
 _CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
 _DEAD_KINDS = ("dead channel", "noisy channel")
@@ -28,12 +32,13 @@ class Resting:
     silent: dict[str, str]
 
 
-def read_resting(path: Path, spec: ObjectSpec) -> Resting:
+def read_resting(path: Path, spec: ObjectSpec, mechanics: TravelForces | None = None) -> Resting:
     """Read a recording (its rest before each press), or a CSV with one column per channel.
 
     The plain table's header names the channels F1-X1 (face, axis, number of the sensor), in any
     order; its rows are frames at rest. Channels without a reading, stuck at one value over three or
-    more frames, at full scale, or marked dead in `as_built`, are silent.
+    more frames, at full scale, or marked dead in `as_built`, are silent. A recording labelled
+    by travel needs `mechanics`.
 
     Raises
     ------
@@ -45,7 +50,7 @@ def read_resting(path: Path, spec: ObjectSpec) -> Resting:
     with path.open(newline="", encoding="utf-8-sig", errors="replace") as file:
         header = [cell.strip() for cell in next(csv.reader(file), [])]
     if not header or not _CHANNEL.fullmatch(header[0]):
-        return _recording_counts(path, spec)
+        return _recording_counts(path, spec, mechanics)
     return _table_counts(path, spec, header)
 
 
@@ -55,11 +60,11 @@ def channel_names(spec: ObjectSpec) -> list[str]:
     return [f"F{face}-{axis}{k}" for face in spec.body.sensed for k in sensors for axis in "XYZ"]
 
 
-def _recording_counts(path: Path, spec: ObjectSpec) -> Resting:
+def _recording_counts(path: Path, spec: ObjectSpec, mechanics: TravelForces | None) -> Resting:
     from estimator.calibration.recorded_presses import with_all_sensors
     from estimator.recordings.reading import read_recording
 
-    (recording,) = with_all_sensors(spec, [read_recording(path)])
+    (recording,) = with_all_sensors(spec, [read_recording(path, mechanics=mechanics)])
     if recording.rest_counts.shape[2] != spec.sensors.count_per_face:
         raise InputError(
             f"{path} holds {recording.rest_counts.shape[2]} sensors per face; {spec.name} has "

@@ -77,7 +77,7 @@ def simulate_collection(
 def joined(parts: Sequence[FrameSet]) -> FrameSet:
     """Parts of one recording one after the other, with ids and times that go on.
 
-    All get the contact slots of the part with the most.
+    All get the contact slots of the part with the most. Labels of travel, which simulated parts lack, go.
     """
     press = session = 0
     slots = max(part.contact_face.shape[1] for part in parts)
@@ -100,7 +100,9 @@ def joined(parts: Sequence[FrameSet]) -> FrameSet:
     true = () if any(part.true_force_n is None for part in parts) else ("true_force_n",)
     names = (*PER_FRAME_FIELDS, *true)
     whole = {name: np.concatenate([getattr(part, name) for part in numbered]) for name in names}
-    return replace(parts[0], **({"true_force_n": None, "zero_error": None} | whole))
+    return replace(
+        parts[0], **({"true_force_n": None, "zero_error": None, "travel_mm": None} | whole)
+    )
 
 
 def with_slots(frames: FrameSet, slots: int) -> FrameSet:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -44,6 +45,9 @@ from estimator.grasps.wrench_space import (
     wrench_space,
 )
 
+if TYPE_CHECKING:
+    from estimator.recordings.attitude import RecordedMotion
+
 _HALF = float(norm.ppf(0.95))
 """Half of a normal interval of 90 % in standard deviations."""
 _DRAWS, _HULL_DRAWS = 99, 39
@@ -64,6 +68,7 @@ class Conditions:
     friction : between gripper and object, assumed
     weight_n : of the object; 0 where it is not known or borne otherwise
     limits : of damage
+    motion : of the object by its IMU, on the track's clock; None where it has none
     """
 
     faces: Mapping[int, FaceFrame]
@@ -72,6 +77,7 @@ class Conditions:
     friction: float = 0.5
     weight_n: float = 0.0
     limits: tuple[DamageLimit, ...] = ()
+    motion: RecordedMotion | None = None
 
 
 @dataclass(frozen=True)
@@ -131,6 +137,11 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     wrench, covariance = net_wrench(typical), wrench_covariance(typical, conditions.friction)
     faces = _face_forces(part, hold)
     damage, places = _damage(top, at_peak, conditions, rng)
+    start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
+    jolt, down = UNKNOWN, np.full(3, np.nan)
+    if conditions.motion is not None:
+        jolt = conditions.motion.jolt_between(start_s, end_s)
+        down = conditions.motion.down_between(float(held.time_s[0]), float(held.time_s[-1]))
     readings = {
         "peak_n": _spread(float(part.total_n[window].mean()), float(top.total_sigma_n[0])),
         "mean_n": _spread(float(held.total_n.mean()), float(mean.total_sigma_n[0])),
@@ -138,13 +149,13 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
         **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hull_figures, conditions), _HULL_DRAWS),
-        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions)),
+        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions, down)),
         **{name: Reading(value) for name, value in _course(held, closing, list(faces)).items()},
         "regrasps": Reading(float(grasp.regrasps)),
+        "jolt_m_s2": Reading(jolt),
         "unexplained": Reading(float(np.mean(~part.explained))),
         **damage,
     }
-    start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
     opposed = _is_opposed(typical)
     return MeasuredGrasp(
         grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places,
@@ -237,13 +248,22 @@ def _patch_mm(conditions: Conditions, contacts: Placed) -> float:
 
 
 def _balance_chance(
-    contacts: Placed, wrench: np.ndarray, covariance: np.ndarray, conditions: Conditions
+    contacts: Placed,
+    wrench: np.ndarray,
+    covariance: np.ndarray,
+    conditions: Conditions,
+    down: Float[np.ndarray, "3"],
 ) -> float:
-    """NaN where forces count as exact: then nothing balances exactly."""
+    """NaN where forces count as exact: then nothing balances exactly.
+
+    The weight pulls along `down`; where that is NaN, in whatever direction balances best.
+    """
     if not contacts.covariance.any():
         return UNKNOWN
-    misfit = equilibrium_misfit(wrench[:3], covariance[:3, :3], conditions.weight_n)
-    return equilibrium_p(misfit, conditions.weight_n)
+    force, weight_n = wrench[:3], conditions.weight_n
+    if np.isfinite(down).all():
+        force, weight_n = force + weight_n * down, 0.0
+    return equilibrium_p(equilibrium_misfit(force, covariance[:3, :3], weight_n), weight_n)
 
 
 def _spread(value: float, sigma: float) -> Reading:

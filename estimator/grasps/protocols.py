@@ -37,7 +37,7 @@ _ROWS: tuple[tuple[str, ...], ...] = (
     ("net_force_n", "net force", "N", "size of the sum of all contact forces in the hold"),
     ("net_moment_nmm", "net moment", "N mm", "size of their moment about the object's centre"),
     ("equilibrium_p", "equilibrium", "1", "chance of a net force as large if contacts and weight balanced "
-     "(χ²)"),
+     "(χ²); the weight's direction by the IMU, or the one that balances best"),
     ("friction_used", "friction used", "1", "largest tangential over normal force in the hold", OWN, _LESS),
     ("friction_needed", "friction needed", "1", "least friction with which the contacts close the grasp",
      "Nguyen, IJRR 7(3), 1988", _LESS),
@@ -54,6 +54,8 @@ _ROWS: tuple[tuple[str, ...], ...] = (
     ("slip_n", "force held before slip", "N", "mean total force of the hold up to the onset of slip",
      f"slip resistance: {_SP1227}; definition: {OWN}"),
     ("regrasps", "regrasps", "1", "times that the force fell below half its level and came back", OWN, _LESS),
+    ("jolt_m_s2", "hardest jolt", "m/s²", "largest specific force beyond gravity in the grasp, by the "
+     "object's IMU", OWN, _LESS),
     ("energy_mj", "energy put in", "mJ", "work on the silicone up to the peak by Hertz, at most", OWN, _LESS),
     ("unexplained", "frames not trusted", "1", "share of frames that the estimator cannot explain"),
 )  # fmt: skip

@@ -90,6 +90,18 @@ class RecordedMotion:
     jolt_m_s2: Float[np.ndarray, "frame"]
     rate_rad_s: Float[np.ndarray, "frame"]
 
+    def jolt_between(self, start_s: float, end_s: float) -> float:
+        """Return the hardest jolt (m/s²) of a stretch; NaN where the IMU was silent."""
+        jolt = self.jolt_m_s2[(self.time_s >= start_s) & (self.time_s <= end_s)]
+        return float(np.nanmax(jolt)) if np.isfinite(jolt).any() else float("nan")
+
+    def down_between(self, start_s: float, end_s: float) -> Float[np.ndarray, "3"]:
+        """Return the mean direction of the weight in a stretch; NaN where it is not known."""
+        down = self.down[(self.time_s >= start_s) & (self.time_s <= end_s)]
+        total = down[np.isfinite(down[:, 0])].sum(axis=0)
+        length = float(np.linalg.norm(total))
+        return total / length if length > 0 else np.full(3, np.nan)
+
     @property
     def text(self) -> str:
         """Sentence on the hardest jolt and the largest lean."""

@@ -66,9 +66,10 @@ Places = Annotated[
     list[str] | None,
     typer.Option(
         "--place",
-        metavar="FACE:X,Y[=N]",
+        metavar="FACE:X,Y[=N|=2mm]",
         help="Contact location of a load cell, mm, one per cell; :X,Y per further tip of the cell; - where "
-        "nothing is pressed yet, -:- by two tips. =N: constant force (N) without a load cell, e.g. a weight.",
+        "nothing is pressed yet, -:- by two tips. Without a load cell: =N, constant force (N) of a weight; "
+        "=2mm, a machine's travel below first touch.",
     ),
 ]
 Seconds = Annotated[float | None, typer.Option(min=0, help="Stop after this many seconds.")]

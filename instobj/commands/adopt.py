@@ -186,6 +186,14 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
                 "answer": "--known axes=chip (x1, y1, z1, x2, …) or axes=axis (x1, x2, …)",
             }
         )
+    if not identified.all_presses.labelled:
+        questions.append(
+            {
+                "question": "Which face and place does each row press? Presses cannot be told from rest.",
+                "answer": "a log with such columns; --known columns=face,place,level,chips names them",
+            }
+        )
+        return questions
     if identified.kind == "level" and answers.step_mm is None:
         questions.append(
             {
@@ -217,7 +225,7 @@ def _document(identified: Identified) -> dict[str, Any]:
         "findings": [{"log": where} | asdict(finding) for where, finding in identified.findings],
         "label": identified.kind,
         "chips": identified.presses[0].change.shape[1],
-        "presses": [len(table) for table in identified.presses],
+        "presses": [len(table) if table.labelled else 0 for table in identified.presses],
         "chips_of_face": {
             str(face): [chip + 1 for chip in chips]
             for face, chips in identified.chips_of_face.items()

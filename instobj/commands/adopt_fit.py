@@ -33,6 +33,8 @@ _FAR = 0.15
 
 def why_not_fitted(identified: Identified, answers: Known) -> str:
     """Say why a log cannot be held against a specification; nothing where it can."""
+    if not identified.all_presses.labelled:
+        return "the specification is not fitted: no column says which face and place was pressed"
     if identified.kind not in ("level", "travel"):
         return (
             "the specification is not fitted: the label is no travel. Validate recordings of forces with "
@@ -107,7 +109,13 @@ def fit_specification(
         An object whose presses cannot be simulated at known travel, or of other chips.
     """
     from estimator.adoption.arrangement import told_arrangement
-    from estimator.adoption.fit import Moving, fit_object, halves_of_places, judged
+    from estimator.adoption.fit import (
+        Moving,
+        fit_both_hands,
+        fit_object,
+        halves_of_places,
+        judged,
+    )
     from estimator.calibration.known_travel.model import require_comparable, travel_model
 
     require_comparable(spec)
@@ -115,28 +123,37 @@ def fit_specification(
     run = Run(spec, progress)
     model = travel_model(spec, run.read(PRESSES)[1])
     thing = Moving.from_table(model)
-    findings, figures, fitted = [], {}, ""
-    for face, pressed in sorted(readings.items()):
-        with progress.stage(f"face {face}: arrangement, chips, magnets"):
-            findings.append(told_arrangement(spec, pressed, spec.seed).finding)
+    faces, figures, fitted = sorted(readings.items()), {}, ""
+    with progress.stage("arrangement"):
+        presses_of_faces = [pressed for _, pressed in faces]
+        findings = [told_arrangement(spec, presses_of_faces, spec.seed).finding]
+    for face, pressed in faces:
+        with progress.stage(f"face {face}: chips, magnets"):
             live = pressed.complete
             half = halves_of_places(live, spec.seed)
             fit = fit_object(thing, live.select(half))
             figures[str(face)] = judged(fit, live.select(~half), seed=spec.seed)
-            whole = fit_object(thing, live)
-        findings += _fit_findings(face, whole, figures[str(face)], identified.chips_of_face[face])
+            whole, mirror = fit_both_hands(thing, live)
+        chips = identified.chips_of_face[face]
+        findings += _fit_findings(face, whole, mirror, figures[str(face)], chips)
         if not fitted:
             fitted = fitted_text(path, spec, whole)
     return findings, {face: agreement.summary() for face, agreement in figures.items()}, fitted
 
 
 def _fit_findings(
-    face: int, fit: ObjectFit, figures: TravelAgreement, chips: list[int]
+    face: int,
+    fit: ObjectFit,
+    mirror: ObjectFit | None,
+    figures: TravelAgreement,
+    chips: list[int],
 ) -> list[Finding]:
     from estimator.adoption.findings import Finding, share_as_high
 
     beyond, null = figures.beyond, [item.cosine for item in figures.places_exchanged]
-    order = ", ".join(str(chips[k] + 1) for k in fit.convention.order.tolist())
+    order = f"designed chips are columns' chips {_convention_text(fit, chips)}"
+    if mirror is not None:
+        order += f". Its mirror image fits as well: chips {_convention_text(mirror, chips)}"
     orders = 1 + len(figures.chips_permuted)
     limits = [
         f"{words} (fitted: × {value:.2f})"
@@ -156,7 +173,7 @@ def _fit_findings(
         ),
         Finding(
             f"order and axes of chips, face {face}",
-            f"designed chips are columns' chips {order}; {_axes_text(fit.convention.turn)}",
+            order,
             f"this order is number {figures.order_of_chips} of {orders} at those places",
             f"cosine {np.median([item.cosine for item in figures.chips_permuted]):.2f}",
         ),
@@ -167,6 +184,11 @@ def _fit_findings(
             f"{fit.pose.contact_mm:.1f} mm above the zero of travel",
         ),
     ]
+
+
+def _convention_text(fit: ObjectFit, chips: list[int]) -> str:
+    order = ", ".join(str(chips[k] + 1) for k in fit.convention.order.tolist())
+    return f"{order}; {_axes_text(fit.convention.turn)}"
 
 
 def _axes_text(turn: np.ndarray) -> str:

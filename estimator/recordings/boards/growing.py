@@ -73,9 +73,10 @@ def growing_recording(
     tips: int,
     session: int | None = None,
     travel: bool = False,
+    force: bool = True,
 ) -> Iterator[GrowingRecording]:
     """Open a recording to append to; its last session goes on unless another is given. `travel` adds
-    the column of a machine's travel.
+    the column of a machine's travel; without `force` that is the label.
 
     Raises
     ------
@@ -85,7 +86,7 @@ def growing_recording(
     StoreError
         It cannot be written.
     """
-    columns = generic_columns(list(channels), cells, tips, travel=travel)
+    columns = generic_columns(list(channels), cells, tips, travel=travel, force=force)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)

@@ -207,6 +207,8 @@ def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
 
 def _loads(table: RawTable, row: int, board_ms: int) -> list[Load]:
     loads = []
+    if table.labelled_by_travel:  # no load cell said anything
+        return loads
     for cell, force_n in enumerate(table.force_n[row]):
         tips = [(float(x), float(y)) for x, y in table.tip_xy_mm[row, cell] if np.isfinite(x)]
         stated = bool(tips) and not table.declared_rest[row]

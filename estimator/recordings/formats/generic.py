@@ -69,11 +69,21 @@ def _meant(name: str) -> str:
 
 
 def generic_columns(
-    channels: list[str], cells: int, tips: int, shear: bool = False, travel: bool = False
+    channels: list[str],
+    cells: int,
+    tips: int,
+    shear: bool = False,
+    travel: bool = False,
+    force: bool = True,
 ) -> list[str]:
     """Header of a generic CSV; `shear` adds tangential forces of every load cell at its end, `travel`
-    that of a machine."""
-    labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
+    that of a machine. Without `force` the travel is the label."""
+    labels = [
+        name
+        for cell in range(1, cells + 1)
+        for name in _cell_columns(cell, tips)
+        if force or not name.endswith("_force_n")
+    ]
     tangential = _shear_columns(cells) if shear else []
     of_machine = [TRAVEL] if travel else []
     return ["time_s", "session", "rest", *channels, *labels, *tangential, *of_machine]

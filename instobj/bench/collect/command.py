@@ -14,7 +14,6 @@ from design.errors import InputError, RecordingError, StoreError
 from estimator.recordings.boards.growing import (
     GrowingRecording,
     finish_recording,
-    growing_recording,
 )
 from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
 from estimator.recordings.boards.link import PATIENCE_S, board_messages
@@ -32,6 +31,7 @@ from instobj.bench.collect.options import (
     open_source,
     parse_place,
     stop_on_signals,
+    travel_of,
 )
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
@@ -59,12 +59,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
         try:
             stream = board_messages(chunks, state.decoder, options.source)
             first = _until_header(stream, state)
-            with (
-                closing(load_lines(options)) as loads,
-                growing_recording(
-                    options.csv_path, state.channels, state.cells, state.tips
-                ) as growing,
-            ):
+            with closing(load_lines(options)) as loads, state.recording() as growing:
                 _run(chain([first], stream), loads, state, growing, progress)
         except (InputError, StoreError) as error:
             failure = error
@@ -134,6 +129,7 @@ def _run(
 
 def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
     """One typed line."""
+    travel_mm = None
     if line == "q":
         state.stopped = True
     elif line == "z":
@@ -144,6 +140,8 @@ def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
         state.waiting = False
     else:
         try:
+            if state.travel_mm is not None:
+                line, travel_mm = travel_of(line)
             places = [parse_place(text) for text in line.split()]
         except InputError as error:
             progress.say(f"{error}; {_KEYS}")
@@ -154,8 +152,11 @@ def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
             )
             return
         state.places[: len(places)] = places
+        if travel_mm is not None:
+            state.travel_mm = travel_mm
         state.waiting = False
-        progress.say(f"contact location from now on: {line}")
+        travel = "" if state.travel_mm is None else f", {state.travel_mm:g} mm deep"
+        progress.say(f"contact location from now on: {line}{travel}")
 
 
 def _enough(state: Collection, growing: GrowingRecording) -> bool:
@@ -213,7 +214,8 @@ def _document(state: Collection, growing: GrowingRecording, frames: int) -> dict
         texts.append(status_text(state.status))
     if growing.cut_bytes:
         texts.append(f"an unfinished last line of {growing.cut_bytes} bytes was cut off")
-    texts.append(f"next: instobj recordings {target}")
+    mechanics = "" if state.travel_mm is None else " --spec SPEC"
+    texts.append(f"next: instobj recordings {target}{mechanics}")
     return {
         "command": "collect",
         "frames_added": growing.rows_added,

@@ -5,12 +5,13 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Generator
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from design.errors import InputError
-from estimator.recordings.boards.growing import GrowingRecording
+from estimator.recordings.boards.growing import GrowingRecording, growing_recording
 from estimator.recordings.boards.lines import Frame, LineDecoder, Load, Status
 from estimator.recordings.boards.link import BoardClock, serial_chunks
 from instobj.bench.collect.options import CollectOptions, Place
@@ -59,7 +60,8 @@ class Collection:
     """State between two lines.
 
     `loads` hold the last line of every load cell and `readings` the last ones (time in s, force in N).
-    With forces given by hand, `waiting` is from the zero until the user says that the weight lies.
+    `travel_mm` labels presses where no load cell does; None where one does. With labels given by hand,
+    `waiting` is from the zero until the user says that the weight lies, or that the tip is there.
     """
 
     options: CollectOptions
@@ -82,6 +84,10 @@ class Collection:
     waiting: bool = False
     stopped: bool = False
     status: Status | None = None
+    travel_mm: float | None = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.travel_mm = self.options.travel_mm
 
     @property
     def cells(self) -> int:
@@ -92,6 +98,14 @@ class Collection:
     def tips(self) -> int:
         """Tips per load cell."""
         return self.options.tips or 1
+
+    def recording(self) -> AbstractContextManager[GrowingRecording]:
+        """Open the recording that its frames are appended to."""
+        by_travel = self.travel_mm is not None
+        return growing_recording(
+            self.options.csv_path, self.channels, self.cells, self.tips,
+            travel=by_travel, force=not by_travel,
+        )  # fmt: skip
 
     def stop(self) -> None:
         """End after the line at hand."""
@@ -130,7 +144,10 @@ def take_load(load: Load, state: Collection, clock: BoardClock) -> None:
 def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingRecording) -> None:
     """Append a frame of `time_s` (by `state.clock`) whose force is known; count one without."""
     zeroing = state.zero_left > 0
-    labels = [_label(cell, time_s, zeroing, state) for cell in range(1, state.cells + 1)]
+    if state.travel_mm is None:
+        labels = [_label(cell, time_s, zeroing, state) for cell in range(1, state.cells + 1)]
+    else:
+        labels = [_travel_label(None if zeroing else state.places[0], state.travel_mm)]
     labels_known = [label for label in labels if label is not None]
     if len(labels_known) < state.cells or (state.waiting and not zeroing):
         state.unlabelled += 1
@@ -143,7 +160,13 @@ def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingR
     if zeroing:
         state.zero_left -= 1
         state.zero_counts.append(frame.counts)
-        state.waiting = any(force_n is not None for force_n in state.options.forces_n)
+        given = (*state.options.forces_n, state.travel_mm)
+        state.waiting = any(label is not None for label in given)
+
+
+def _travel_label(place: Place | None, travel_mm: float) -> list[float]:
+    """Face, contact location and travel of a press; nothing where none is."""
+    return [float("nan")] * 4 if place is None else [place.face, *place.tips_mm[0], travel_mm]
 
 
 def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[float] | None:

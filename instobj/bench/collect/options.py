@@ -17,6 +17,7 @@ from design.errors import InputError
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
 
 _NOWHERE = re.compile(r"-(?::-)*")
+_TRAVEL = re.compile(r"([^=]*)=(\d+(?:\.\d*)?)mm")
 _PLACE = re.compile(r"([1-6])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
 
 
@@ -63,6 +64,25 @@ class CollectOptions:
         """Return the constant force (N) of each load cell that `=N` gives one."""
         return [_force_n(text) for text in self.places]
 
+    @property
+    def travel_mm(self) -> float | None:
+        """Return the travel that labels the first press where no load cell does, as `3:0,0=2mm` gives it.
+
+        Raises
+        ------
+        InputError
+            Several places or tips, or a load cell as well.
+        """
+        travels = [travel_of(text)[1] for text in self.places]
+        if not any(travel is not None for travel in travels):
+            return None
+        if len(travels) > 1 or self.load_port is not None or self.places[0].count(":") > 1:
+            raise InputError(
+                f"--place {self.places[0]}: travel labels presses of one tip without a load cell. Give one "
+                "--place of one tip, and no --load-port"
+            )
+        return travels[0]
+
     def enough(self, frames: int, seconds: float) -> bool:
         """Return whether this many frames, or this long, are what was asked for."""
         return (self.frames is not None and frames >= self.frames) or (
@@ -98,9 +118,15 @@ def parse_place(text: str) -> Place | None:
     return Place(int(match[1]), tuple((float(x), float(y)) for x, y in pairs))
 
 
+def travel_of(text: str) -> tuple[str, float | None]:
+    """Return place and travel (mm) of `3:0,0=2mm`; the text itself and None where it gives no travel."""
+    match = _TRAVEL.fullmatch(text)
+    return (text, None) if match is None else (match[1], float(match[2]))
+
+
 def _force_n(text: str) -> float | None:
     place, equals, given = text.partition("=")
-    if not equals:
+    if not equals or travel_of(text)[1] is not None:
         return None
     try:
         force_n = float(given)
@@ -108,7 +134,8 @@ def _force_n(text: str) -> float | None:
         force_n = float("nan")
     if not isfinite(force_n):
         raise InputError(
-            f"--place {text}: {given!r} is no force in N. Give one, such as {place}=9.81"
+            f"--place {text}: {given!r} is no force in N. Give one, such as {place}=9.81, or a travel, "
+            f"{place}=2mm"
         )
     return force_n
 
@@ -123,7 +150,7 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
     """
     if (options.port is None) == (options.replay is None):
         raise InputError("give either --port or --replay: where the readings come from")
-    _ = options.first_places, options.forces_n  # refused before a port is opened
+    _ = options.first_places, options.forces_n, options.travel_mm  # refused before a port is opened
     cells = max(1, len(options.places))
     tips = max([1, *(max(1, text.count(":") + text.startswith("-")) for text in options.places)])
     if options.replay is not None:

@@ -15,8 +15,9 @@ from design.catalogue.bus_parts import MOTION
 from design.errors import InputError, InstobjError
 from estimator.recordings.attitude import Attitude
 from estimator.recordings.boards.growing import finish_recording
-from estimator.recordings.boards.lines import Frame, Header, Load, Message
+from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
 from estimator.recordings.boards.link import board_messages
+from instobj.bench.collect.board_state import status_text, supply_text
 from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
 from instobj.bench.collect.options import stop_on_signals
 from instobj.bench.live.contacts import open_estimator
@@ -135,6 +136,8 @@ def _take(session: _Session, messages: list[Message], options: LiveOptions) -> N
             _take_header(session, message, options)
         elif isinstance(message, Load):
             take_load(message, state, state.clock)
+        elif isinstance(message, Status):
+            state.status = message
         elif isinstance(message, Frame):
             now_s = time.time()
             time_s = state.clock.time_s(message.board_ms, now_s)
@@ -193,7 +196,9 @@ def _tell(session: _Session) -> None:
     session.news_at_s = time.monotonic() + _NEWS_S
     statistics = session.state.decoder.statistics
     session.watch.news = {
-        "source": " · ".join(filter(None, (session.source.name, _attitude_text(session)))),
+        "source": " · ".join(
+            filter(None, (session.source.name, _battery_text(session), _attitude_text(session)))
+        ),
         "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
         "counted": {
             "frames": statistics.frames,
@@ -204,6 +209,10 @@ def _tell(session: _Session) -> None:
         "recording": session.recorder.news(),
         "told": "; ".join(filter(None, (session.message, session.recorder.message))),
     }
+
+
+def _battery_text(session: _Session) -> str:
+    return "" if session.state.status is None else supply_text(session.state.status)
 
 
 def _attitude_text(session: _Session) -> str:
@@ -246,6 +255,7 @@ def _ended(session: _Session, failure: InstobjError | None) -> dict[str, Any]:
         "texts": [
             _counts_text(session, max(session.arrivals_s, default=0.0)),
             *filter(None, [statistics.wrapped_text]),
+            *([] if session.state.status is None else [status_text(session.state.status)]),
         ],
         "files": file_rows(files),
     }

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from design.errors import InstobjError
-from estimator.recordings.boards.growing import GrowingRecording, growing_recording
+from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame
 from instobj.bench.collect.labelled_frames import Collection, take_frame
 
@@ -29,16 +29,8 @@ class Recorder:
         self.growing, self.message = None, ""
         if not on or not self.state.channels:
             return
-        options = self.state.options
         try:
-            self.growing = self.open.enter_context(
-                growing_recording(
-                    options.csv_path,
-                    self.state.channels,
-                    self.state.cells,
-                    self.state.tips,
-                )
-            )
+            self.growing = self.open.enter_context(self.state.recording())
         except InstobjError as error:
             self.message = f"not recording: {error}"
 

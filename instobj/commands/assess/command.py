@@ -157,7 +157,7 @@ def _names(paths: Sequence[Path]) -> list[str]:
 
 
 def _measured(read: ReadRecording, conditions: Conditions, protocol: Protocol) -> MeasuredRecording:
-    grasps = measured_grasps(read.track, conditions)
+    grasps = measured_grasps(read.track, replace(conditions, motion=read.motion))
     if protocol.pinch:
         grasps = [grasp for grasp in grasps if grasp.opposed]
     return MeasuredRecording(read, grasps, compared_with_cells(read, grasps))
@@ -177,7 +177,8 @@ def _document(
     verdicts = [verdict_text(group, conditions) for group in groups]
     tracks = [recording.read for group in groups for recording in group.recordings]
     trained_on = [f"{read.path.name}: {_OWN_TRAINING}" for read in tracks if read.trained_on]
-    said = [*verdicts, *trained_on, *sentences(trusted, differences)]
+    moved = [f"{read.path.name}: {read.motion.text}" for read in tracks if read.motion is not None]
+    said = [*verdicts, *trained_on, *sentences(trusted, differences), *moved]
     folder = (
         run_folder(options.out, "+".join(_file_name(group.name) for group in groups)) / "assess"
     )

@@ -21,6 +21,7 @@ from estimator.frames.same_object import same_grid
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
+from estimator.recordings.attitude import RecordedMotion, read_motion
 from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import faces_of
 from instobj.commands.contacts import require_read_sensors
@@ -72,6 +73,7 @@ class ReadRecording:
     texts : what is to be said of it
     faults : that were found in the file and corrected
     trained_on : the estimators were trained on it
+    motion : of the object by its IMU; None where it has none
     """
 
     path: Path
@@ -81,6 +83,7 @@ class ReadRecording:
     texts: list[str]
     faults: list[str]
     trained_on: bool
+    motion: RecordedMotion | None
 
 
 def load_estimators(given: Path, spec: Path | None) -> Estimators:
@@ -211,17 +214,18 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     cells = frames if labelled else None
     repeated = sum(key in estimators.training for key in _frame_keys(frames, estimators.spec))
     trained_on = repeated > _TRAINED_SHARE * len(frames)
+    motion = None if is_data_set(path) else read_motion(path)
     if estimators.inversion is not None:
         track = _inverted(path, frames, estimators.inversion)
         unexplained = unexplained_share([track])
         if unexplained <= MOST_UNEXPLAINED or not estimators.networks:
-            return ReadRecording(path, track, cells, "inversion", texts, faults, trained_on)
+            return ReadRecording(path, track, cells, "inversion", texts, faults, trained_on, motion)
         texts.append(
             f"{path.name}: the inversion explains {100 * (1 - unexplained):.0f} % of the pressed frames; "
             "networks read it instead"
         )
     track = _networks_track(frames, estimators.networks)
-    return ReadRecording(path, track, cells, "networks", texts, faults, trained_on)
+    return ReadRecording(path, track, cells, "networks", texts, faults, trained_on, motion)
 
 
 def unexplained_share(tracks: Sequence[ContactTrack]) -> float:

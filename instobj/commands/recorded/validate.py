@@ -39,9 +39,10 @@ def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, A
     """The likeliest faults behind resting signals, and what to write into `as_built`."""
     from estimator.calibration.resting import read_resting
     from estimator.tolerances.selftest import rest_model, self_test
+    from instobj.commands.training import travel_forces
 
     spec = load_spec(path, overrides)
-    rest = read_resting(resting, spec)
+    rest = read_resting(resting, spec, travel_forces(spec))
     progress = ProgressLine()
     with progress.stage("self-test"):
         progress.step("resting signals of objects within tolerance")

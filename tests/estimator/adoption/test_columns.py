@@ -70,3 +70,36 @@ def test_columns_that_fit_two_kinds_of_log_are_asked_for():
         tell_columns(table([flat[:, :-1]]))
     with pytest.raises(RecordingError, match="State the columns"):
         tell_columns(table([LOG.labels[:, [0, 2]], flat]))
+
+
+def test_stamps_in_seconds_and_nanoseconds_are_one_time_by_values_and_by_names():
+    """As ROS 2 exports them; 40 rows a second, so that seconds alone stand still."""
+    rows = np.arange(len(LOG.labels))
+    stamps = [1_718_000_000 + rows // 40, rows % 40 * 25_000_000]
+    by_values = tell_columns(table([*stamps, LOG.columns()]))
+    names = [f"{axis}{chip}" for chip in range(1, 16) for axis in "XYZ"]
+    known = ("stamp.sec", "stamp.nanosec", "Face", "Pos", "Level", *names)
+    for log in (by_values, tell_columns(table([*stamps, LOG.columns()], known))):
+        assert log.time_s is not None
+        np.testing.assert_allclose(log.time_s - log.time_s[0], rows / 40, atol=1e-6)
+        np.testing.assert_array_equal(np.hstack([log.face, log.place, log.label]), LOG.labels)
+
+
+@pytest.mark.parametrize("stands", ["first", "between"])
+def test_a_column_that_is_always_zero_is_no_label(stands):
+    """`data_offset` of an exported array."""
+    zero, flat = np.zeros(len(LOG.labels)), LOG.counts.reshape(len(LOG.counts), -1)
+    columns = [zero, LOG.labels, flat] if stands == "first" else [LOG.labels, zero, flat]
+    log = tell_columns(table(columns))
+    np.testing.assert_array_equal(np.hstack([log.face, log.place, log.label]), LOG.labels)
+    np.testing.assert_array_equal(log.channels, flat)
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_first_chips_that_never_answer_stay_chips(behind):
+    counts = LOG.counts.copy()
+    counts[:, :2] = 0
+    flat = counts.reshape(len(counts), -1)
+    log = tell_columns(table([flat, LOG.labels] if behind else [LOG.labels, flat]))
+    np.testing.assert_array_equal(log.channels, flat)
+    np.testing.assert_array_equal(np.hstack([log.face, log.place, log.label]), LOG.labels)

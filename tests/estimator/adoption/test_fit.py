@@ -12,7 +12,14 @@ from design.spec_io import load_spec, parse_spec
 from estimator.adoption.arrangement import moving_bodies, told_arrangement
 from estimator.adoption.boards import boards_of_faces
 from estimator.adoption.convention import TURNS, best_convention
-from estimator.adoption.fit import ObjectFit, Pressed, fit_object, halves_of_places, judged
+from estimator.adoption.fit import (
+    ObjectFit,
+    Pressed,
+    fit_both_hands,
+    fit_object,
+    halves_of_places,
+    judged,
+)
 from estimator.adoption.nearest_spec import fitted_content
 from estimator.adoption.presses import ForeignPresses
 from estimator.adoption.sinking import order_by_sinking
@@ -26,10 +33,10 @@ MAGNETS = ((7.0, 7.0), (-7.0, 7.0), (-7.0, -7.0))
 """Three corners of four: turned or mirrored they are others."""
 
 
-def content(arrangement):
+def content(arrangement, magnets_mm=MAGNETS):
     """One face of a small cube; the corner without a magnet tells its sides apart."""
     magnets = {
-        "positions_mm": [list(place) for place in MAGNETS],
+        "positions_mm": [list(place) for place in magnets_mm],
         "diameter_mm": 6.0,
         "height_mm": 2.0,
     }
@@ -52,7 +59,8 @@ def foreign(spec):
     """The same face as magpylib's model has it: chips and magnets at the heights of the specification."""
     reverse = spec.arrangement == "sensors-in-shell"
     thing = ForeignObject(
-        faces=1, reverse=reverse, ring_mm=8.585, magnets_mm=MAGNETS, magnet_size_mm=(6.0, 2.0),
+        faces=1, reverse=reverse, ring_mm=8.585, magnets_mm=tuple(spec.magnets.positions_mm),
+        magnet_size_mm=(6.0, 2.0),
         spread_mm=6.0, azimuth_deg=240.0, counts_per_mt=1.0,
     )  # fmt: skip
     chips = float(sensor_layout(spec).position_mm[0, 2])
@@ -91,11 +99,25 @@ def test_who_moves_is_told_from_presses_of_an_independent_model(arrangement):
     """The field is magpylib's, the motion the log's own: tests/support/recordings/foreign_logs.py."""
     spec = spec_of(arrangement)
     pressed = readings(spec)
-    found = told_arrangement(spec, pressed.select(np.flatnonzero(pressed.place % 4 < 3)), kept=1)
+    found = told_arrangement(spec, [pressed.select(np.flatnonzero(pressed.place % 4 < 3))], kept=1)
     reverse = arrangement == "sensors-in-shell"
     assert (found.reverse > found.normal) == reverse
     assert found.p < 0.05
     assert max(found.reverse, found.normal) > 0.8
+
+
+def test_places_of_all_faces_decide_the_arrangement_together():
+    """Five places have 32 exchanges of the two ways, two of which are as written: p is 0.06 at least."""
+    spec = spec_of("sensors-in-core")
+    pressed = readings(spec)
+    parts = [
+        pressed.select(np.flatnonzero(np.isin(pressed.place, places)))
+        for places in ((0, 3, 6, 9, 12), (1, 5, 10, 11, 14))
+    ]
+    (alone, together) = (told_arrangement(spec, faces, kept=1) for faces in (parts[:1], parts))
+    assert alone.finding.answer == "cannot be told"
+    assert together.finding.answer.startswith("normal")
+    assert together.p < alone.p
 
 
 def test_chips_and_pose_are_fitted_and_judged_on_unseen_places():
@@ -111,6 +133,22 @@ def test_chips_and_pose_are_fitted_and_judged_on_unseen_places():
     np.testing.assert_array_equal(fit.convention.turn, TURN)
     assert fit.pose.symmetry == 0
     assert np.linalg.norm(fit.pose.shift_mm) < 1.0
+
+
+@pytest.mark.parametrize("magnets_mm", [((0.0, 0.0),), MAGNETS])
+def test_a_mirror_image_is_named_where_the_object_is_its_own(magnets_mm):
+    """One magnet in the middle of the chips: order and poles of a mirrored object read the same."""
+    spec = ObjectSpec.model_validate(content("sensors-in-shell", magnets_mm))
+    pressed = readings(spec, ORDER, TURNS[5])
+    fit, mirror = fit_both_hands(moving_bodies(spec, True), pressed)
+    np.testing.assert_array_equal(fit.convention.turn, TURNS[5])
+    np.testing.assert_array_equal(fit.convention.order, ORDER)
+    if magnets_mm == MAGNETS:
+        assert mirror is None
+    else:
+        assert mirror is not None
+        assert mirror.convention.reversed_poles
+        assert not np.array_equal(mirror.convention.order, ORDER)
 
 
 @pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])

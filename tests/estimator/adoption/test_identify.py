@@ -119,6 +119,21 @@ def test_logs_of_unlike_objects_are_not_adopted_together(tmp_path):
         identify(paths, Known())
 
 
+def test_numbers_without_labels_tell_which_chips_answer_and_are_silent(tmp_path):
+    log = make_log(ForeignObject(), faces=(1, 4), shape=(3, 3), pitch=(13, 16), levels=3, rows=8)
+    counts = log.counts.copy()
+    counts[:100, 13] = 0
+    bare = write(tmp_path / "bare.csv", counts.reshape(len(counts), -1))
+    found = identify([bare], Known())
+    texts = {one.question: one for _, one in found.findings}
+    assert texts["chips that answer"].answer == "chips 1-3, 10-12"
+    assert (texts["chips that answer"].p or 1) < 0.02
+    assert texts["silent chips"].answer == "chips 14, rows 0-99"
+    assert (found.chips_of_face, found.orders) == ({}, {})
+    with pytest.raises(RecordingError, match="one object"):
+        identify([bare, write(tmp_path / "log.csv", log.columns())], Known(label="level"))
+
+
 @needs_cube
 def test_the_second_instrumented_cube_is_identified_blind():
     found = identify([CUBE / "Balanced.csv.gz"], Known())

@@ -28,6 +28,12 @@ FORMS = {
     "bars": rows("|{}|{}|{}|{}|{}|{}|").replace("\n|", "\n").removeprefix("|"),
     "tuples": rows("[({}, {}, {}), ({}, {}, {})]"),
     "named tuples": rows("array('f', [{}, {}, {}, {}, {}, {}])"),
+    "labels before tuples": rows("{} {} {} [({}, {}, {})]"),
+    "tuples without commas between": rows("({}, {}, {}) ({}, {}, {})"),
+    "labels behind semicolons": rows("{};{};{};[{}  {} {}]"),
+    "dictionaries": rows("{{'a': {}, 'b': {}, 'c': [({}, {}, {})], 'd': {}}}"),
+    "JSON": rows('{{"a": {}, "b": {}, "c": [{}, {}, {}], "d": {}}}'),
+    "serial monitor": rows("12:00:01.250 -> {},{},{},{},{},{}"),
     "keys": rows("a: {}, b: {}, c: {}, d={}, e={}, f={}"),
     "header and comment": "# made today\na,b,c,d,e,f\n" + rows("{},{},{},{},{},{}"),
     "messages": "".join(
@@ -35,6 +41,9 @@ FORMS = {
         for row in NUMBERS.tolist()
     ),
     "decimal commas": rows("{};{};{};{};{};{}").replace(".", ","),
+    "decimal commas by blanks": "\n".join(
+        " ".join(f"{v:.2f}".replace(".", ",") for v in row) for row in NUMBERS.tolist()
+    ),
 }
 
 
@@ -53,12 +62,20 @@ def test_a_header_names_columns_and_packing_changes_nothing(tmp_path):
     np.testing.assert_array_equal(read_text_table(packed).values, plain.values)
 
 
-def test_stamps_become_seconds_and_text_is_left_out_with_a_note(tmp_path):
-    text = "\n".join(f"2024-06-01 12:00:{s:02d},left,{s}" for s in range(20))
+@pytest.mark.parametrize("between", [" ", "T"])
+def test_stamps_become_seconds_and_text_is_left_out_with_a_note(tmp_path, between):
+    text = "\n".join(f"2024-06-01{between}12:00:{s:02d},left,{s}" for s in range(20))
     table = read_text_table(written(tmp_path, text))
     np.testing.assert_allclose(np.diff(table.values[:, 0]), 1.0)
     assert table.values.shape == (20, 2)
     assert any("text left out: 2 ('left')" in note for note in table.notes)
+
+
+def test_values_that_json_leaves_out_are_empty_cells(tmp_path):
+    text = "\n".join(f'{{"a": {k}, "b": [{"null" if k == 3 else k}, 5]}}' for k in range(9))
+    values = read_text_table(written(tmp_path, text)).values
+    assert np.isnan(values[3, 1])
+    assert np.isfinite(np.delete(values, 3, axis=0)).all()
 
 
 def test_few_damaged_rows_are_left_out_and_named(tmp_path):

@@ -8,6 +8,7 @@ import pytest
 from estimator.grasps.damage import DamageLimit
 from estimator.grasps.measures import measured_grasps
 from estimator.grasps.protocols import MEASURES, PROTOCOLS
+from estimator.recordings.attitude import GRAVITY_M_S2, recorded_motion
 from tests.estimator.grasps.grasps_by_hand import CONDITIONS, joined, squeeze
 
 
@@ -53,6 +54,33 @@ def test_the_weight_explains_the_difference_of_jaws():
     heavy = replace(CONDITIONS, weight_n=2.0)
     (grasp,) = measured_grasps(squeeze(10.0, shares=(1.0, 0.8)), heavy)
     assert grasp.readings["equilibrium_p"].value > 0.05
+
+
+def lying(track, down, jolt_m_s2=0.0):
+    """Motion of an object whose weight pulls that way; a jolt at 3 s."""
+    motion = np.zeros((len(track.time_s), 6))
+    motion[:, :3] = -GRAVITY_M_S2 * np.asarray(down)
+    motion[30, :3] *= 1 + jolt_m_s2 / GRAVITY_M_S2
+    return recorded_motion(track.time_s, motion)
+
+
+@pytest.mark.parametrize(("down", "balanced"), [((1.0, 0.0, 0.0), True), ((0.0, 0.0, -1.0), False)])
+def test_an_imu_says_which_way_the_weight_pulls_and_how_hard_the_object_was_hit(down, balanced):
+    """Face 3 pushes along −x with 2 N more than its opposite: a weight along +x alone explains it."""
+    track = squeeze(10.0, shares=(1.0, 0.8))
+    heavy = replace(CONDITIONS, weight_n=2.0, motion=lying(track, down, 25.0))
+    (grasp,) = measured_grasps(track, heavy)
+    assert (grasp.readings["equilibrium_p"].value > 0.05) == balanced
+    assert grasp.readings["jolt_m_s2"].value == pytest.approx(25.0)
+
+
+def test_without_an_imu_or_while_it_is_silent_no_jolt_is_known():
+    track = squeeze(10.0, shares=(1.0, 0.8))
+    silent = recorded_motion(track.time_s, np.full((len(track.time_s), 6), np.nan))
+    for conditions in (CONDITIONS, replace(CONDITIONS, motion=silent)):
+        (grasp,) = measured_grasps(track, replace(conditions, weight_n=2.0))
+        assert np.isnan(grasp.readings["jolt_m_s2"].value)
+        assert grasp.readings["equilibrium_p"].value > 0.05
 
 
 def test_a_contact_that_slides_in_the_hold():

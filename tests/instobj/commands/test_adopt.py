@@ -54,6 +54,15 @@ def test_answers_leave_fewer_questions_and_json_holds_each_finding_with_its_null
     assert json.loads((folder / "runs" / "log" / "adoption.json").read_text()) == found["adoption"]
 
 
+def test_a_log_without_labels_is_asked_for_them_and_not_fitted(folder):
+    bare = np.loadtxt(folder / "log.csv", delimiter=",")[:, 3:]
+    np.savetxt(folder / "bare.csv", bare, delimiter=",", fmt="%d")
+    done = run("adopt", "bare.csv", "--spec", PAD, cwd=folder)
+    assert done.returncode == 0
+    for text in ("chips that answer: chips 4-6", "not fitted: no column says", "columns=face,"):
+        assert text in done.stdout
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

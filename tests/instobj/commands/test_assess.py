@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 
+from design.catalogue.bus_parts import MOTION
 from estimator.frames.dataset import load_frames, save_frames
 from estimator.grasps.measures import measured_grasps
 from estimator.grasps.phases import find_grasps
@@ -184,14 +185,16 @@ def test_a_gripper_against_itself_is_not_ranked(bench):
     assert all(text.endswith("no limit is given (--limit).") for text in document["verdicts"])
 
 
-def raw_csv(path, counts, cells=False, blank=None):
-    """A board's recording of counts, with an idle load cell or without any."""
+def raw_csv(path, counts, cells=False, blank=None, motion=None):
+    """A board's recording of counts, with an idle load cell or without any, with an IMU or without."""
     names = [channel_name(*index) for index in np.ndindex(5, 3, 3)]
     cell = ["cell1_force_n", "cell1_face", "cell1_x1_mm", "cell1_y1_mm"] * cells
-    lines = [",".join(["time_s", *names, *cell])]
+    imu = [] if motion is None else MOTION
+    lines = [",".join(["time_s", *names, *cell, *imu])]
     for row, values in enumerate(np.round(counts + 300)):
         read = ["" if index == blank else f"{value:.0f}" for index, value in enumerate(values)]
-        lines.append(",".join([f"{row / 10}", *read, *(["0", "", "", ""] * cells)]))
+        moved = [] if motion is None else [f"{value}" for value in motion[row]]
+        lines.append(",".join([f"{row / 10}", *read, *(["0", "", "", ""] * cells), *moved]))
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -206,6 +209,22 @@ def test_a_boards_recording_without_presses_on_load_cells_is_read(bench, cells):
     assert [row["grasp"] for row in document["tables"]["grasps"]] == [1, 2]
     assert any("few grasps (2)" in text for text in document["texts"])
     assert cells == any("load cells and labels are not used" in text for text in document["texts"])
+
+
+@pytest.mark.parametrize("cells", [False, True])
+def test_jolts_of_an_imu_stand_beside_their_grasps(bench, cells):
+    """The second grasp is hit by 30 m/s² in its hold."""
+    _, counts = handled(GENTLE_N[:2], 3)
+    quiet = np.random.default_rng(4).normal(0, 15, (40, counts.shape[1]))
+    motion = np.tile([0.0, 0.0, 9.80665, 0.0, 0.0, 0.0], (40 + len(counts), 1))
+    motion[40 + len(FORCE) + 12, 2] += 30.0
+    raw_csv(bench / f"moved{cells}.csv", np.concatenate([quiet, counts]), cells, motion=motion)
+    done = run("assess", f"moved{cells}.csv", "--model", "model", "--json", cwd=bench)
+    document = json.loads(done.stdout)
+    assert any("IMU: hardest jolt 30.0 m/s² beyond gravity" in text for text in document["texts"])
+    with (bench / f"runs/moved{cells}/assess/grasps.csv").open() as file:
+        jolts = [float(row["jolt_m_s2"]) for row in csv.DictReader(file)]
+    assert jolts == pytest.approx([0.0, 30.0], abs=0.1)
 
 
 def test_a_channel_without_readings_is_left_out(bench):

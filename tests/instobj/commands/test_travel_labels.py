@@ -129,6 +129,22 @@ def test_a_data_set_labelled_by_travel_trains_and_is_judged_in_mm_and_in_newtons
     assert 0 < errors["mean_travel_error_mm"] < spread_mm
 
 
+def test_a_twin_adds_presses_to_those_labelled_by_travel(bench):
+    """Judged in mm of travel on presses held out, as without the twin."""
+    forces_of(bench, "travel")
+    tiny = ["training.epochs=20", "training.hidden_units=[16, 16]", "training.ensemble=1"]
+    tiny += ["training.trees=0", "training.process=false"]
+    sets = [f"--set={setting}" for setting in tiny]
+    twin = ["--twin", "cube.toml"]
+    found = done("train", "runs/travel/frames.nc", *twin, *sets, "--json", cwd=bench)
+    tables = found["objects"][0]["summary"]
+    ((row,),) = (rows for title, rows in tables.items() if title.startswith("labels of travel"))
+    told = load_frames(bench / "runs/travel/frames.nc")
+    spread_mm = float(np.std(told.travel_mm[told.contact_face[:, 0] > 0]))
+    assert 0 < row["travel mm"] < spread_mm
+    assert (row["low ×"], row["high ×"]) == pytest.approx(tuple(told.force_factors))
+
+
 def test_validation_takes_travel_for_what_it_is(bench):
     """Motions at a travel do not depend on the modulus: agreement as good as with the true forces' ratio."""
     of_few_places(bench / "travel.csv", bench / "few.csv")
@@ -137,6 +153,15 @@ def test_validation_takes_travel_for_what_it_is(bench):
     face = document["validation"]["agreement"][0]
     assert face["cosine"]["value"] > 0.98
     assert face["size_ratio"] == pytest.approx(1.0, abs=0.05)
+
+
+def test_the_self_test_reads_the_rest_of_presses_labelled_by_travel(bench):
+    found = [
+        run("bench", "selftest", "cube.toml", f"{name}.csv", "--json", cwd=bench)
+        for name in ("travel", "force")
+    ]
+    by_travel, by_force = (json.loads(test.stdout)["frames"] for test in found)
+    assert by_travel == pytest.approx(by_force, rel=0.1)
 
 
 def test_labels_of_travel_need_mechanics_and_stay_apart_from_forces(bench):

@@ -137,6 +137,59 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
     assert table.force_n[:, 0].tolist() == [0.0] * 15 + [9.81] * 25
 
 
+def test_travel_is_the_label_where_no_load_cell_is(tmp_path):
+    """After the baseline frames wait for the tip; levels are typed, as a script beside a machine does."""
+
+    def bare(k):
+        return board_lines(k, loads=False)
+
+    def rows_are(count):
+        while rows_of(tmp_path) < count:
+            time.sleep(0.02)
+
+    with dummy_board(bare) as port:
+        command = [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port]
+        command += ["--place", "-=0mm", "--zero", "15"]
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+        assert process.stdin is not None
+        rows_are(15)
+        time.sleep(0.3)
+        assert rows_of(tmp_path) == 15
+        for typed in ("3:1.5,-4.5=1mm", "3:1.5,-4.5=2.5mm", "-"):
+            process.stdin.write(f"{typed}\n")
+            process.stdin.flush()
+            rows_are(rows_of(tmp_path) + 30)
+        said, _ = process.communicate("q\n", timeout=30)
+    assert "--spec SPEC" in said
+    table = read_table(tmp_path / "cube.nc")
+    assert table.labelled_by_travel
+    assert table.travel_mm is not None
+    order = [float(t) for t in table.travel_mm[np.isfinite(table.travel_mm)]]
+    assert order == sorted(order)
+    assert set(order) == {1.0, 2.5}
+    pressed = table.face[:, 0] == 3
+    np.testing.assert_array_equal(pressed, np.isfinite(table.travel_mm))
+    np.testing.assert_array_equal(table.tip_xy_mm[pressed][:, 0, 0], [[1.5, -4.5]] * pressed.sum())
+    assert not pressed[-20:].any()
+    assert table.declared_rest.sum() == 15
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--place", "3:0,0=2mm", "--place", "5:0,0"], "one --place of one tip"),
+        (["--place", "3:0,0:1,1=2mm"], "one --place of one tip"),
+        (["--place", "3:0,0=2mm", "--load-port", "nowhere"], "no --load-port"),
+        (["--place", "3:0,0=2cm"], "or a travel, 3:0,0=2mm"),
+    ],
+)
+def test_travel_beside_another_label_is_refused(tmp_path, words, message):
+    done = run("bench", "collect", "cube", "--port", "nowhere", *words, cwd=tmp_path)
+    assert_one_clear_error(done, message)
+
+
 @pytest.mark.parametrize("ends", ["load lines", "frames"])
 def test_seconds_end_where_load_lines_or_frames_have_ended(tmp_path, collected, ends):
     def silent(k):
@@ -282,6 +335,16 @@ def test_a_replay_is_the_recording_again(tmp_path, collected):
 def test_what_cannot_be_collected(collected, options, words):
     with pytest.raises(InputError, match=words):
         collected(**options)
+
+
+def test_a_replay_of_presses_labelled_by_travel_has_no_damaged_line(tmp_path, collected):
+    rows = ["time_s,F1-X1,F1-Y1,F1-Z1,cell1_face,cell1_x1_mm,cell1_y1_mm,travel_mm"]
+    rows += [f"{k / 10},{k % 7},{k % 5},{k},1,0,0,{k / 20}" for k in range(40)]
+    (tmp_path / "travel.csv").write_text("\n".join(rows) + "\n")
+    found = collected(
+        replay=tmp_path / "travel.csv", speed=0.0, zero_frames=5, places=("1:0,0=1mm",)
+    )
+    assert (found["damaged_lines"], found["frames_added"]) == (0, 5)
 
 
 def test_a_recording_is_not_replayed_into_itself(tmp_path, collected):

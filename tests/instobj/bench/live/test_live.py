@@ -22,6 +22,7 @@ from estimator.recordings.boards.lines import (
     Header,
     LineDecoder,
     Load,
+    checksum,
     encode_frame,
     encode_header,
     encode_load,
@@ -104,6 +105,16 @@ def test_viewers_cost_no_row_of_the_recording(tmp_path):
     np.testing.assert_allclose(table.force_n[:, 0], numbers / 1000)
     assert np.all(np.diff(numbers) > 0)
     assert numbers[-1] - numbers[0] + 1 == len(numbers) + told["lost_frames"]
+
+
+def test_the_battery_of_a_wireless_object_is_said(tmp_path):
+    body = b"S,20,3840,0,0,0,power,24.0,25.0"
+    said = b"$" + body + f"*{checksum(body)}\n".encode()
+    with dummy_board(lambda k: numbered(k) + said) as port:
+        source = source_of(port, tmp_path / "cube")
+        options = LiveOptions(None, source.readings, page_port=0, seconds=2.0)
+        done = run_live(source, options, "", ProgressLine())
+    assert any("battery 3.84 V, about 50 %" in text for text in done["texts"])
 
 
 class Failing:
