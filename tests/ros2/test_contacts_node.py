@@ -247,10 +247,13 @@ def test_the_packages_name_what_they_use():
         assert f"depend>{package}</" in depended
 
 
-def test_a_model_that_is_not_there_keeps_the_node_unconfigured(
-    contacts_node, monkeypatch, tmp_path
+@pytest.mark.parametrize("content", [None, b"", b"no model"])
+def test_a_model_that_is_none_keeps_the_node_unconfigured(
+    contacts_node, monkeypatch, tmp_path, content
 ):
-    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "none.nc")})
+    if content is not None:
+        (tmp_path / "a.nc").write_bytes(content)
+    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "a.nc")})
     node = contacts_node.ContactNode()
     assert node.on_configure(None) == "failure"
-    assert "none.nc" in node.errors[0]
+    assert "a.nc" in node.errors[0]
