@@ -8,12 +8,16 @@ import pytest
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from design.build.convex_pieces import convex_pieces
 from design.build.masses import masses_of, total
 from design.build.parts import parts_of
-from design.build.simulator_body import ContactSpring, SimulatorBody, frames_of, visual_surfaces
+from design.build.simulator_body import (
+    ContactSpring,
+    SimulatorBody,
+    collision_pieces,
+    frames_of,
+    visual_surfaces,
+)
 from design.build.simulator_files import usd_text, write_simulator_files
-from design.layout.body import body_of
 from design.solids.booleans import TRIANGLES, convert_to_triangles
 from tests.support.objects.body_cases import body_spec
 
@@ -25,8 +29,7 @@ def spec():
     return body_spec("two_open")
 
 
-@pytest.fixture(scope="module")
-def body(spec):
+def body_for_simulators(spec):
     made = {part.name: part for part in parts_of(spec)[:2]}
     core, shell = (
         convert_to_triangles(made[name].make(), TRIANGLES, False) for name in ("core", "shell")
@@ -35,10 +38,15 @@ def body(spec):
         name="my_object_2",
         mass=total(masses_of(spec).values()),
         visual=visual_surfaces(spec, core, shell),
-        collision=convex_pieces(body_of(spec).outer_surface(), 0.5, 8),
+        collision=collision_pieces(spec, core, 0.5, 8),
         frames=frames_of(spec),
         contact=SPRING,
     )
+
+
+@pytest.fixture(scope="module")
+def body(spec):
+    return body_for_simulators(spec)
 
 
 @pytest.fixture(scope="module")
@@ -187,6 +195,18 @@ def test_the_object_rests_on_a_table(mujoco, folder):
     # it stands on its lower face, 46 mm high
     assert data.qpos[start + 2] == pytest.approx(0.023, abs=2e-4)
     assert abs(data.qpos[start + 4 : start + 7]).max() < 1e-2
+
+
+@pytest.mark.parametrize("kind", ["pad", "hollow_dome", "solid_dome"])
+def test_a_body_on_a_base_stands_on_it(mujoco, kind, tmp_path):
+    spec = body_spec(kind)
+    write_simulator_files(body_for_simulators(spec), tmp_path)
+    model, data, start = scene(mujoco, tmp_path, '<geom type="plane" size="1 1 .1"/>')
+    half_m = 1e-3 * spec.body.size_mm[2] / 2
+    data.qpos[start + 2] = half_m + 2e-4
+    settle(mujoco, model, data, 2.0)
+    assert data.qpos[start + 2] == pytest.approx(half_m, abs=1e-4)
+    assert abs(data.qpos[start + 4 : start + 6]).max() < 1e-2, "it leans"
 
 
 def test_under_its_weight_a_ball_sinks_in_as_the_spring_says(mujoco, body, folder, tmp_path):
