@@ -95,7 +95,7 @@ def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
     """
     parts = [_face_samples(index, frame) for index, frame in enumerate(frames)]
     kept = [
-        _is_most_central(part[0], frame, [other for other in frames if other is not frame])
+        _is_most_central(part[0], frame, [face for face in frames if face is not frame])
         for part, frame in zip(parts, frames, strict=True)
     ]
     parts = [tuple(column[keep] for column in part) for part, keep in zip(parts, kept, strict=True)]
@@ -103,17 +103,17 @@ def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
 
 
 def _is_most_central(
-    point_mm: Float[np.ndarray, "sample 3"], frame: FaceFrame, others: list[FaceFrame]
+    point_mm: Float[np.ndarray, "sample 3"], frame: FaceFrame, neighbours: list[FaceFrame]
 ) -> Bool[np.ndarray, "sample"]:
     """Return which points of a face no other face holds nearer to its middle."""
     central = _share_of_reach(point_mm, frame)
     kept = np.ones(len(point_mm), bool)
-    for other in others:
-        xy = (point_mm - other.centre_mm) @ other.axes[:, :2]
-        covered = np.flatnonzero(other.covers(xy))
-        foot = other.to_object(np.pad(xy[covered], ((0, 0), (0, 1))))
+    for neighbour in neighbours:
+        xy = (point_mm - neighbour.centre_mm) @ neighbour.axes[:, :2]
+        covered = np.flatnonzero(neighbour.covers(xy))
+        foot = neighbour.to_object(np.pad(xy[covered], ((0, 0), (0, 1))))
         shared = covered[np.linalg.norm(foot - point_mm[covered], axis=1) < _SAME_MM]
-        kept[shared] &= _share_of_reach(point_mm[shared], other) >= central[shared]
+        kept[shared] &= _share_of_reach(point_mm[shared], neighbour) >= central[shared]
     return kept
 
 
