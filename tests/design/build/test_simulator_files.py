@@ -187,6 +187,27 @@ def test_mujoco_has_the_mass_and_the_inertia(mujoco, body, folder):
     np.testing.assert_allclose(1e9 * inertia, body.mass.inertia_g_mm2, atol=0.1)
 
 
+def test_mujoco_reads_the_urdf_as_it_was_meant(mujoco, body, folder, tmp_path):
+    """Hung on a world by a floating joint: a first link would stand fast and lose its mass."""
+    (tmp_path / "meshes").symlink_to(folder / "meshes")
+    hung = """<mujoco><compiler fusestatic="false"/></mujoco><link name="world"/>
+      <joint name="free" type="floating"><parent link="world"/><child link="my_object_2"/></joint>
+      </robot>"""
+    text = (folder / "my_object_2.urdf").read_text().replace("</robot>", hung)
+    (tmp_path / "hung.urdf").write_text(text)
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "hung.urdf"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    number = model.body("my_object_2").id
+    assert model.body_mass[number] == pytest.approx(body.mass.mass_g / 1e3, rel=1e-6)
+    np.testing.assert_allclose(1e3 * model.body_ipos[number], body.mass.centre_mm, atol=1e-5)
+    assert model.ngeom == len(body.collision.pieces)
+    for name, (place, axes) in body.frames.items():
+        frame = data.body(name)
+        np.testing.assert_allclose(1e3 * frame.xpos, place, atol=1e-5)
+        np.testing.assert_allclose(frame.xmat.reshape(3, 3), axes, atol=1e-6)
+
+
 def test_the_object_rests_on_a_table(mujoco, folder):
     model, data, start = scene(mujoco, folder, '<geom type="plane" size="1 1 .1"/>')
     data.qpos[start + 2] = 0.0235
