@@ -28,6 +28,8 @@ from tests.support.mechanics.joint_counts import share_of_error, simulated_chang
 PAPER_CUBE = Path(__file__).parents[1] / "examples" / "paper_cube.toml"
 DISTANCES_MM = (10.5, 12.5, 15.0, 20.0, 25.0)
 DEPTH_MM = (0.6, 2.4)
+_PART_OF_PATCH = 0.5
+"""Part of a curved patch that is pressed: joint contact refuses presses that leave the patch."""
 
 Draw = Callable[[np.random.Generator], list[Tip]]
 """Function that places the tips of one press."""
@@ -84,7 +86,8 @@ def _beside(spec: ObjectSpec, apart_mm: float) -> Draw:
 
 
 def _half_mm(spec: ObjectSpec, face: int) -> np.ndarray:
-    return np.array(face_frame(spec, int(face)).half_extents_mm)
+    frame = face_frame(spec, int(face))
+    return np.array(frame.half_lengths_mm) * (1.0 if frame.flat else _PART_OF_PATCH)
 
 
 def _tip(face: int, xy_mm: np.ndarray) -> Tip:

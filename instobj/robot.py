@@ -37,6 +37,7 @@ _NEWTON_LENGTH_M = 0.004
 _RED = {"r": 0.85, "g": 0.2, "b": 0.15, "a": 1.0}
 _GREY = {"r": 0.6, "g": 0.6, "b": 0.65, "a": 0.35}
 _FRAME = "object"
+_LAST_PORT = 65535
 _BODY_EVERY = 50
 """Frames of which one carries the body's surface, for a viewer that comes later."""
 
@@ -66,7 +67,10 @@ def _port(target: Path) -> int | None:
     name, _, port = str(target).partition(":")
     if name != "foxglove" or not (port.isdigit() or not port):
         return None
-    return int(port or 8765)
+    number = int(port or 8765)
+    if number > _LAST_PORT:
+        raise InputError(f"{target}: TCP ports end at {_LAST_PORT}. Give one such as foxglove:8765")
+    return number
 
 
 @contextmanager

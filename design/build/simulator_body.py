@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float
 
 from design.body.triangles import block_surface
-from design.build.convex_pieces import ConvexPieces
+from design.build.convex_pieces import ConvexPieces, convex_pieces
 from design.build.masses import Mass
 from design.build.scene import magnet_halves
 from design.layout.boards import board_blocks
+from design.layout.body import body_of
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
 
+_ROUNDING_MM = 1e-3
+"""Distance by which corners of an STL file may lie off their plane: it holds single precision."""
 Frames = dict[str, tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]]
 """Origin (mm) and axes (columns) by name."""
 
@@ -51,7 +54,7 @@ class SimulatorBody:
     ----------
     name : of letters, digits and underscores alone, as USD takes it
     visual : surfaces by the name of their part, mm
-    collision : convex pieces of the outer surface
+    collision : convex pieces of the outer surface, and the base that it stands on
     frames : chips' sensing points with the chips' axes; magnets with the polarization along z
     """
 
@@ -98,3 +101,22 @@ def visual_surfaces(
     boards = [block_surface(board) for board in board_blocks(spec)]
     joined: list[Any] = [trimesh.util.concatenate(surfaces) for surfaces in (halves, boards)]
     return {"core": core, "shell": shell, "magnets": joined[0], "boards": joined[1]}
+
+
+def collision_pieces(
+    spec: ObjectSpec, core: trimesh.Trimesh, tolerance_mm: float, most: int
+) -> ConvexPieces:
+    """Return convex pieces of all that can be touched: the outer surface, and a base under it.
+
+    Holes for wires are closed.
+    """
+    import trimesh
+
+    body = body_of(spec)
+    outside = convex_pieces(body.outer_surface(), tolerance_mm, most)
+    if not body.on_base:
+        return outside
+    # the silicone begins at the base's top
+    below = core.vertices[:, 2] <= body.corners_mm[0][2] + _ROUNDING_MM
+    base = trimesh.convex.convex_hull(core.vertices[below])
+    return replace(outside, pieces=(*outside.pieces, base))

@@ -113,7 +113,7 @@ def predict(
     from instobj.robot import is_foxglove
 
     inverts = is_inversion(model)
-    if is_foxglove(out) and not inverts:
+    if is_foxglove(out) and not inverts and model.exists():
         raise InputError(
             f"{model} reads one face; --out {out} shows contacts of the whole object. Give contacts.nc, "
             "which `instobj train SPEC` writes"

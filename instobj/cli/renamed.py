@@ -28,6 +28,7 @@ GONE = {
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
     "pretrain": "instobj train FRAMES --twin SPEC, or instobj train SPEC (no presses)",
+    "twin": "instobj build SPEC --twin for simulators, instobj train FRAMES --twin SPEC for a built object",
     "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
@@ -35,7 +36,7 @@ GONE = {
     "conventions": "python -m studies conventions, in a checkout of the repository",
     "cycles": "python -m studies cycles, in a checkout of the repository",
 }
-"""Old commands whose arguments changed → what to write instead."""
+"""Old commands whose arguments changed, and an option that is asked for as a command → what to write."""
 
 OPTIONS = {
     "--address": "--page ADDRESS:PORT",
@@ -130,6 +131,6 @@ def _bench_command(name: str) -> Callable[..., None]:
 
 def _refusal(old: str, instead: str) -> Callable[..., None]:
     def command(context: typer.Context) -> None:
-        raise InputError(f"`instobj {old}` has moved. Write: {instead}")
+        raise InputError(f"`instobj {old}` is no command. Write: {instead}")
 
     return command

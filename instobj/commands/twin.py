@@ -39,11 +39,14 @@ def write_twin(spec: ObjectSpec, out: Path) -> list[Path]:
     """
     import trimesh
 
-    from design.build.convex_pieces import convex_pieces
     from design.build.masses import masses_of, total
-    from design.build.simulator_body import SimulatorBody, frames_of, visual_surfaces
+    from design.build.simulator_body import (
+        SimulatorBody,
+        collision_pieces,
+        frames_of,
+        visual_surfaces,
+    )
     from design.build.simulator_files import write_simulator_files
-    from design.layout.body import body_of
 
     run = Run(spec)
     parts = run.require("build").folder
@@ -53,7 +56,7 @@ def write_twin(spec: ObjectSpec, out: Path) -> list[Path]:
         name=re.sub(r"\W|^(?=\d)", "_", spec.name, flags=re.ASCII),
         mass=mass,
         visual=visual_surfaces(spec, core, shell),
-        collision=convex_pieces(body_of(spec).outer_surface(), _TOLERANCE_MM, _MOST_PIECES),
+        collision=collision_pieces(spec, core, _TOLERANCE_MM, _MOST_PIECES),
         frames=frames_of(spec),
         contact=contact_spring(run, mass.mass_g),
     )

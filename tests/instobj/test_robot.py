@@ -191,3 +191,8 @@ def test_a_live_view_listens_on_the_loopback_alone_and_a_taken_port_is_one_error
 )
 def test_targets_of_foxglove(target, shown):
     assert is_foxglove(Path(target)) is shown
+
+
+def test_a_port_that_is_none_is_named_before_any_work():
+    with pytest.raises(InputError, match=r"foxglove:70000.* 65535"):
+        is_foxglove(Path("foxglove:70000"))

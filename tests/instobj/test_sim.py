@@ -187,6 +187,37 @@ def test_an_empty_slot_is_no_contact(cube):
     np.testing.assert_allclose(cube.read(padded, none), cube.read(points, force), atol=1e-3)
 
 
+POINT, FORCE = np.array([[1.0, 2.0, 21.0]]), np.array([4.0])
+
+
+@pytest.mark.parametrize(
+    ("points", "force", "how", "said"),
+    [
+        (POINT[0], FORCE, {}, r"shapes \(3,\) and \(1,\)"),
+        (POINT, np.array([4.0, 3.0]), {}, r"shapes \(1, 3\) and \(2,\)"),
+        (torch.tensor(POINT), torch.ones(1, 2), {}, r"shapes \(1, 3\) and \(1, 2\)"),
+        (POINT.tolist(), FORCE.tolist(), {}, "points_mm is an array"),
+        (POINT, FORCE, {"rotation": np.eye(4)}, r"got \(4, 4\)"),
+        (POINT, FORCE, {"rotation": np.stack([np.eye(3)] * 2)}, r"got \(2, 3, 3\)"),
+        (POINT, FORCE, {"step_s": -0.1}, "step_s .* -0.1"),
+        (POINT * np.nan, FORCE, {}, "points_mm has what is no number"),
+        (POINT, FORCE * np.inf, {}, "force_n has what is no number"),
+    ],
+)
+def test_contacts_that_do_not_fit_are_one_error_and_leave_the_object_as_it_is(
+    cube, points, force, how, said
+):
+    before = cube.read(POINT, FORCE, step_s=1.0)
+    with pytest.raises(InputError, match=said):
+        cube.read(points, force, **how)
+    np.testing.assert_array_equal(cube.read(POINT, FORCE, step_s=1.0), before)
+
+
+def test_an_ambient_field_has_three_components(path):
+    with pytest.raises(InputError, match="got 2 numbers"):
+        HallObject(path, ambient_ut=(10.0, 20.0))
+
+
 def test_tensors_have_the_chips_noise_and_whole_counts(path):
     cube = HallObject(path, seed=3)
     points, force = torch.zeros((400, 0, 3)), torch.zeros((400, 0))

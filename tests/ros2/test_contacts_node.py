@@ -221,10 +221,17 @@ def test_the_launch_file_starts_the_reader_and_shows_a_urdf(monkeypatch, tmp_pat
     assert (reader.package, reader.autostart) == ("instobj_ros", True)
     values["urdf"] = str(tmp_path / "object.urdf")
     # RViz finds meshes of a description by their whole path alone
-    (tmp_path / "object.urdf").write_text('<robot><mesh filename="meshes/core.stl"/></robot>')
-    _, publisher = launch.nodes(None)
+    mesh = '<mesh filename="meshes/core.stl"/>'
+    links = f'<link name="my_cube">{mesh}</link><link name="sensor_1"/>'
+    (tmp_path / "object.urdf").write_text(f'<robot name="robot">{links}</robot>')
+    reader, publisher = launch.nodes(None)
     described = ElementTree.fromstring(publisher.parameters[0]["robot_description"])
-    assert described.find("mesh").get("filename") == (tmp_path / "meshes" / "core.stl").as_uri()
+    assert (
+        described.find("link/mesh").get("filename") == (tmp_path / "meshes" / "core.stl").as_uri()
+    )
+    # contacts are in the frame of the body that the description shows
+    (given,) = reader.parameters
+    assert given == {"model": "contacts.nc", "port": "/dev/ttyACM0", "frame_id": "my_cube"}
 
 
 def test_the_packages_name_what_they_use():
@@ -240,10 +247,13 @@ def test_the_packages_name_what_they_use():
         assert f"depend>{package}</" in depended
 
 
-def test_a_model_that_is_not_there_keeps_the_node_unconfigured(
-    contacts_node, monkeypatch, tmp_path
+@pytest.mark.parametrize("content", [None, b"", b"no model"])
+def test_a_model_that_is_none_keeps_the_node_unconfigured(
+    contacts_node, monkeypatch, tmp_path, content
 ):
-    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "none.nc")})
+    if content is not None:
+        (tmp_path / "a.nc").write_bytes(content)
+    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "a.nc")})
     node = contacts_node.ContactNode()
     assert node.on_configure(None) == "failure"
-    assert "none.nc" in node.errors[0]
+    assert "a.nc" in node.errors[0]

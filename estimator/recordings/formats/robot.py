@@ -55,7 +55,7 @@ _NS = 1_000_000_000
 
 def is_robot_file(path: Path) -> bool:
     """Return whether a path is a bag or a LeRobot data set, by its name and its files."""
-    return path.suffix in _SUFFIXES or any(
+    return (path.suffix in _SUFFIXES and path.exists()) or any(
         (path / name).is_file() for name in ("metadata.yaml", "meta/info.json")
     )
 

@@ -13,7 +13,7 @@ from instobj_msgs.msg import Contact, Contacts, Frame, Layout
 from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
-from design.errors import InputError
+from design.errors import InstobjError
 from estimator.deploy.live_contacts import LiveContacts
 from estimator.inversion.storage import load_inversion
 from instobj.commands.contacts import contacts_of
@@ -54,7 +54,7 @@ class ContactNode(LifecycleNode):
         """Load the model and open the topics."""
         try:
             self._inversion = load_inversion(self._value("model"))
-        except InputError as error:
+        except InstobjError as error:  # not there, or damaged
             self.get_logger().error(str(error))
             return TransitionCallbackReturn.FAILURE
         kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -109,7 +109,7 @@ class ContactNode(LifecycleNode):
                 if self._stop.is_set():
                     return
                 self._publish(frame)
-        except InputError as error:  # unplugged, or another object
+        except InstobjError as error:  # unplugged, or another object
             self.get_logger().error(str(error))
 
     def _stamp(self, header: Any, time_s: float) -> None:

@@ -1,5 +1,6 @@
 """Contacts of an instrumented object: model:=contacts.nc port:=/dev/ttyACM0 [urdf:=object.urdf]."""
 
+import re
 from pathlib import Path
 
 from launch import LaunchDescription
@@ -13,27 +14,32 @@ def nodes(context):
     values = {
         name: LaunchConfiguration(name).perform(context) for name in ("model", "port", "urdf")
     }
-    parameters = [{name: values[name] for name in ("model", "port")}]
+    parameters = {name: values[name] for name in ("model", "port")}
+    publishers = []
+    if values["urdf"]:
+        urdf = Path(values["urdf"]).resolve()
+        text = urdf.read_text()
+        # the description's frames hang on its first link, and so do contacts
+        parameters["frame_id"] = re.search(r'<link\s[^>]*?name="([^"]+)"', text)[1]
+        # RViz reads the description without its folder, so meshes get their whole path
+        meshes = f'filename="{urdf.parent.as_uri()}/'
+        description = {"robot_description": text.replace('filename="', meshes)}
+        publishers.append(
+            Node(
+                package="robot_state_publisher",
+                executable="robot_state_publisher",
+                parameters=[description],
+            )
+        )
     reader = LifecycleNode(
         package="instobj_ros",
         executable="contacts",
         name="instobj",
         namespace="",
-        parameters=parameters,
+        parameters=[parameters],
         autostart=True,
     )
-    if not values["urdf"]:
-        return [reader]
-    urdf = Path(values["urdf"]).resolve()
-    # RViz reads the description without its folder, so meshes get their whole path
-    meshes = f'filename="{urdf.parent.as_uri()}/'
-    description = {"robot_description": urdf.read_text().replace('filename="', meshes)}
-    publisher = Node(
-        package="robot_state_publisher",
-        executable="robot_state_publisher",
-        parameters=[description],
-    )
-    return [reader, publisher]
+    return [reader, *publishers]
 
 
 def generate_launch_description():

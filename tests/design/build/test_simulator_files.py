@@ -8,12 +8,16 @@ import pytest
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from design.build.convex_pieces import convex_pieces
 from design.build.masses import masses_of, total
 from design.build.parts import parts_of
-from design.build.simulator_body import ContactSpring, SimulatorBody, frames_of, visual_surfaces
+from design.build.simulator_body import (
+    ContactSpring,
+    SimulatorBody,
+    collision_pieces,
+    frames_of,
+    visual_surfaces,
+)
 from design.build.simulator_files import usd_text, write_simulator_files
-from design.layout.body import body_of
 from design.solids.booleans import TRIANGLES, convert_to_triangles
 from tests.support.objects.body_cases import body_spec
 
@@ -25,8 +29,7 @@ def spec():
     return body_spec("two_open")
 
 
-@pytest.fixture(scope="module")
-def body(spec):
+def body_for_simulators(spec):
     made = {part.name: part for part in parts_of(spec)[:2]}
     core, shell = (
         convert_to_triangles(made[name].make(), TRIANGLES, False) for name in ("core", "shell")
@@ -35,10 +38,15 @@ def body(spec):
         name="my_object_2",
         mass=total(masses_of(spec).values()),
         visual=visual_surfaces(spec, core, shell),
-        collision=convex_pieces(body_of(spec).outer_surface(), 0.5, 8),
+        collision=collision_pieces(spec, core, 0.5, 8),
         frames=frames_of(spec),
         contact=SPRING,
     )
+
+
+@pytest.fixture(scope="module")
+def body(spec):
+    return body_for_simulators(spec)
 
 
 @pytest.fixture(scope="module")
@@ -179,6 +187,27 @@ def test_mujoco_has_the_mass_and_the_inertia(mujoco, body, folder):
     np.testing.assert_allclose(1e9 * inertia, body.mass.inertia_g_mm2, atol=0.1)
 
 
+def test_mujoco_reads_the_urdf_as_it_was_meant(mujoco, body, folder, tmp_path):
+    """Hung on a world by a floating joint: a first link would stand fast and lose its mass."""
+    (tmp_path / "meshes").symlink_to(folder / "meshes")
+    hung = """<mujoco><compiler fusestatic="false"/></mujoco><link name="world"/>
+      <joint name="free" type="floating"><parent link="world"/><child link="my_object_2"/></joint>
+      </robot>"""
+    text = (folder / "my_object_2.urdf").read_text().replace("</robot>", hung)
+    (tmp_path / "hung.urdf").write_text(text)
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "hung.urdf"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    number = model.body("my_object_2").id
+    assert model.body_mass[number] == pytest.approx(body.mass.mass_g / 1e3, rel=1e-6)
+    np.testing.assert_allclose(1e3 * model.body_ipos[number], body.mass.centre_mm, atol=1e-5)
+    assert model.ngeom == len(body.collision.pieces)
+    for name, (place, axes) in body.frames.items():
+        frame = data.body(name)
+        np.testing.assert_allclose(1e3 * frame.xpos, place, atol=1e-5)
+        np.testing.assert_allclose(frame.xmat.reshape(3, 3), axes, atol=1e-6)
+
+
 def test_the_object_rests_on_a_table(mujoco, folder):
     model, data, start = scene(mujoco, folder, '<geom type="plane" size="1 1 .1"/>')
     data.qpos[start + 2] = 0.0235
@@ -187,6 +216,18 @@ def test_the_object_rests_on_a_table(mujoco, folder):
     # it stands on its lower face, 46 mm high
     assert data.qpos[start + 2] == pytest.approx(0.023, abs=2e-4)
     assert abs(data.qpos[start + 4 : start + 7]).max() < 1e-2
+
+
+@pytest.mark.parametrize("kind", ["pad", "hollow_dome", "solid_dome"])
+def test_a_body_on_a_base_stands_on_it(mujoco, kind, tmp_path):
+    spec = body_spec(kind)
+    write_simulator_files(body_for_simulators(spec), tmp_path)
+    model, data, start = scene(mujoco, tmp_path, '<geom type="plane" size="1 1 .1"/>')
+    half_m = 1e-3 * spec.body.size_mm[2] / 2
+    data.qpos[start + 2] = half_m + 2e-4
+    settle(mujoco, model, data, 2.0)
+    assert data.qpos[start + 2] == pytest.approx(half_m, abs=1e-4)
+    assert abs(data.qpos[start + 4 : start + 6]).max() < 1e-2, "it leans"
 
 
 def test_under_its_weight_a_ball_sinks_in_as_the_spring_says(mujoco, body, folder, tmp_path):

@@ -128,12 +128,25 @@ def test_two_specifications_of_one_name_are_refused(tmp_path):
     assert_one_clear_error(run("build", CUBE, CUBE, cwd=tmp_path), "both named")
 
 
-@pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv"])
+@pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv", "missing.mcap"])
 def test_bad_recordings_end_with_one_clear_error(tmp_path, name):
     if name in BAD_DATA:
         (tmp_path / name).write_text(BAD_DATA[name])
-    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name)
+    there = "" if name in BAD_DATA else "no recording at"
+    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name, there)
     assert not list(tmp_path.glob("runs/**/*.nc"))
+
+
+@pytest.mark.parametrize("out", [".", "contacts.mcap"])
+def test_a_model_that_is_not_there_is_said_so_wherever_contacts_go(tmp_path, out):
+    (tmp_path / "a.csv").write_text("time_s,F1-X1\n0,1\n")
+    done = run("predict", "none.nc", "a.csv", "--out", out, cwd=tmp_path)
+    assert_one_clear_error(done, "no model at none.nc")
+
+
+def test_a_twin_asked_for_as_a_command_names_both_options(tmp_path):
+    done = run("twin", "cube.toml", "--mjcf", "--urdf", cwd=tmp_path)
+    assert_one_clear_error(done, "instobj build SPEC --twin", "instobj train FRAMES --twin SPEC")
 
 
 def test_bad_data_sets_end_with_one_clear_error(tmp_path):

@@ -18,12 +18,19 @@ def solved_changes(spec, motion):
 def simulated_changes(hall, press):
     """Changes of counts (sensor, 3) that the simulated object reads of a joint press, shear included."""
     frames = [face_frame(hall.spec, tip.face) for tip in press.tips]
-    points = [
-        frame.to_object(np.array([tip.x_mm, tip.y_mm, 0.0]))
+    # tips are placed by lengths along a curved surface
+    places = [
+        frame.to_plane(np.array([tip.x_mm, tip.y_mm]))
         for frame, tip in zip(frames, press.tips, strict=True)
     ]
+    points = [
+        frame.to_object(np.append(place, 0.0)) for frame, place in zip(frames, places, strict=True)
+    ]
     in_faces_n = np.column_stack([press.shear_n, -press.force_n])
-    forces_n = [frame.axes @ force for frame, force in zip(frames, in_faces_n, strict=True)]
+    forces_n = [
+        frame.axes_at(place) @ force
+        for frame, place, force in zip(frames, places, in_faces_n, strict=True)
+    ]
     return hall.read(np.array(points), np.array(forces_n)) - hall.rest_counts
 
 
