@@ -53,9 +53,9 @@ class HallObject:
     25 mm, on two faces 2.2 %. In the inner half of the patches of a ball of 50 mm (60 states) it is
     1.0 % for one contact, for two on a face 3.6 % at 10.5 mm and 2.1 % at 15 mm.
     Of a specification presses are simulated out to the edges of all flat faces, 3 mm apart at most. In
-    a box whose edges fit no such pitch the outermost 0.3 mm err by up to 8 %. `contacts.nc` holds
-    presses of its `contact_grid` alone. Places and forces beyond the outermost are read at the
-    nearest: the error grows by 30 % of the signals per mm.
+    a box whose edges fit no such pitch the outermost millimetre is extrapolated and errs by up to 5 %.
+    `contacts.nc` holds presses of its `contact_grid` alone. Places and forces beyond the outermost are
+    read at the nearest: the error grows by 30 % of the signals per mm.
     Near an edge the direction of a force says which face it presses; without directions the nearest
     face is pressed.
 
@@ -116,9 +116,10 @@ class HallObject:
         warm = warmth(self.spec.changed(tolerances={"temperature_k": 1.0}))
         tables = [surface_places(faces), joint_response(model)]
         self._tables = tables if model.shear is None else [*tables, model.shear]
+        low, high = _bounds_to_the_edges(model) if _is_spec(source) else model.bounds
         self._arrays = {
-            "low": model.bounds[0],
-            "high": model.bounds[1],
+            "low": low,
+            "high": high,
             "rest": self.rest_counts.ravel(),
             "ambient_ut": np.asarray(ambient_ut, float),
             "counts_per_ut": (field.columns / field.deviation).T,
@@ -421,6 +422,20 @@ def _pitch_to_the_edges_mm(spec: ObjectSpec) -> float:
         return float((half_mm - count * pitch_mm / 2).max())
 
     return min((coarsest * np.linspace(1.0, 0.8, 101)).tolist(), key=left_mm)
+
+
+def _bounds_to_the_edges(
+    model: ContactModel,
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Return least and largest x, y (mm) and force (N) of contacts: out to the edges of flat faces, one
+    interval between presses beyond the outermost at most. The splines go on there."""
+    (low, high), frames = model.bounds, face_frames(model.spec)
+    if not all(frame.flat for frame in frames):
+        return low, high
+    half_mm = np.max([frame.half_lengths_mm for frame in frames], axis=0)
+    # presses lie half a pitch apart
+    reach = np.append(half_mm - high[:2], 0.0).clip(0.0, model.spec.contact_grid.pitch_mm / 2)
+    return low - reach, high + reach
 
 
 def _friction_changes(

@@ -5,6 +5,7 @@ import pytest
 import tomli_w
 from scipy.stats import spearmanr
 
+from design.spec_io import parse_spec
 from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import load_inversion, save_inversion
 from estimator.signals.presses import press_signals
@@ -107,6 +108,25 @@ def test_beyond_the_outermost_presses_the_error_grows_as_stated(mechanics, beyon
         place = np.array([[12.0 + beyond_mm, rng.uniform(-10, 10)]])
         error = max(error_by_state(mechanics, place, depths))
         assert beyond_mm * 0.2 < error < largest
+
+
+@pytest.mark.slow
+def test_edges_that_fit_no_pitch_are_within_their_error(tmp_path, monkeypatch):
+    """Of this box the outermost presses end 1.2 mm before two edges; read at the nearest press they err by
+    8 to 10 % there."""
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path))
+    content = {
+        "name": "odd",
+        "body": {"size_mm": [44.0, 46.5, 42.0]},
+        "mesh": {"edge_mm": 8.0, "surface_edge_mm": 3.0},
+    }
+    spec, file = parse_spec(content, "test"), tmp_path / "odd.toml"
+    file.write_text(tomli_w.dumps(content))
+    response, cube = Run(spec).read(RESPONSE), HallObject(file, seed=None)
+    mechanics = spec, response, refined_faces(spec, response), cube, file
+    for place in ([22.0, 7.0], [21.5, 7.0], [-22.0, -2.3], [22.0, 23.25]):
+        errors = error_by_state(mechanics, np.array([place]), np.array([[1.5], [2.2]]))
+        assert max(errors) < 0.05, place
 
 
 @pytest.mark.slow
