@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -100,9 +101,13 @@ def dragged(page: Browser, turns: int) -> list[float]:
     return page.ask("instobjExplore.latencies()")
 
 
+def _first_line(level: str, body: str, took: dict[str, float]) -> str:
+    return f"first map of {body}, {level}: {took['processor_s']:.1f} s of a core, {took['clock_s']:.1f} s"
+
+
 def report(result: Result) -> str:
     lines = [
-        f"first map of {body}, {level}: {took['processor_s']:.1f} s of a core, {took['clock_s']:.1f} s"
+        _first_line(level, body, took)
         for level, bodies in result["first_maps"].items()
         for body, took in bodies.items()
     ]
@@ -117,7 +122,12 @@ def main() -> None:
     options = option_parser(__doc__ or "").parse_args()
     bodies = ["cube"] if options.quick else list(BODIES)
     levels = ("coarse",) if options.quick else ("coarse", "full")
-    first = {level: {body: first_map(body, level == "full") for body in bodies} for level in levels}
+    first: Result = {level: {} for level in levels}
+    for level, body in product(levels, bodies):
+        first[level][body] = first_map(body, level == "full")
+        print(
+            _first_line(level, body, first[level][body]), flush=True
+        )  # minutes pass until the next
     process, url = start_page()
     try:
         with Browser(*SIZE) as page:
