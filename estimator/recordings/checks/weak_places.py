@@ -1,7 +1,7 @@
 """Weak places: there another face answers more strongly than the pressed one, though the label is true.
 
-A wrong label of a face looks the same. What tells them apart is the model of the object's specification,
-where that is known, else the other presses of the recording.
+A wrong label of a face looks the same. The model of the object's specification distinguishes them, where
+that is known, else the other presses of the recording.
 """
 
 from __future__ import annotations
