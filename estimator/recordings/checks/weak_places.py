@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int
 
 from estimator.recordings.checks.faults import Fault, face_sizes, press_changes
 from estimator.recordings.checks.judged import Judged
@@ -108,20 +108,10 @@ def _answer_of_model(case: Judged, contrast: Contrast) -> ModelAnswer | None:
 
     The other hypothesis is a press of the other face with the force on the named one, at any place.
     """
-    if case.mechanics is None:
+    expected = _expected_answers(case, contrast.press)
+    if expected is None or case.mechanics is None:
         return None
-    frames = np.flatnonzero(case.press == contrast.press)
-    strongest = _strongest(case, frames)
-    held_n = np.percentile(case.force_n[frames], 75, axis=0)
-    tips_mm = case.table.tip_xy_mm[strongest]
-    is_pressed = (held_n >= CONTACT_FORCE_N)[:, None] & np.isfinite(tips_mm).all(axis=2)
-    cell, tip = np.nonzero(is_pressed)
-    face, tip_n = case.face[strongest, cell], (held_n / np.maximum(is_pressed.sum(axis=1), 1))[cell]
-    answers = case.mechanics.signal_changes(face, tips_mm[cell, tip], tip_n)
-    if answers is None:
-        return None
-    is_live = np.asarray(np.isfinite(case.table.counts).any(axis=0))
-    answers = _live_answers(answers, is_live)
+    answers, face, tip_n = expected
     sizes = face_sizes(answers.sum(axis=0))
     named_size, other_size = sizes[contrast.named - 1], sizes[contrast.stronger - 1]
     if not named_size > 0:
@@ -132,8 +122,9 @@ def _answer_of_model(case: Judged, contrast: Contrast) -> ModelAnswer | None:
     others = case.mechanics.signal_changes(on_other, places_mm, every_n)
     likelier: Place = ()
     if others is not None and len(others):
+        frames = np.flatnonzero(case.press == contrast.press)
         change = press_changes(case.table.counts[frames], case.force_n[frames], 0 * frames)[0]
-        in_its_stead = answers[~is_named].sum(axis=0) + _live_answers(others, is_live)
+        in_its_stead = answers[~is_named].sum(axis=0) + _live_answers(case, others)
         hypotheses = np.concatenate([[answers.sum(axis=0)], in_its_stead])
         is_shared = np.isfinite(hypotheses[0])
         off = chords(_unit(change[is_shared]), _unit(hypotheses[:, is_shared]))
@@ -143,10 +134,38 @@ def _answer_of_model(case: Judged, contrast: Contrast) -> ModelAnswer | None:
     return ModelAnswer(max(1.0, float(np.nan_to_num(other_size / named_size))), likelier)
 
 
+def expected_responses(case: Judged, press: int) -> Float[np.ndarray, "face"] | None:
+    """Return the answer (rms counts) of each face to a press as it is labelled, by the specification's model;
+    None without one, or where it does not reach."""
+    expected = _expected_answers(case, press)
+    return None if expected is None else face_sizes(expected[0].sum(axis=0))
+
+
+def _expected_answers(
+    case: Judged, press: int
+) -> (
+    tuple[Float[np.ndarray, "tip face sensor 3"], Int[np.ndarray, "tip"], Float[np.ndarray, "tip"]]
+    | None
+):
+    """Return the model's answers (counts) to each labelled tip of a press, its face and its force (N)."""
+    if case.mechanics is None:
+        return None
+    frames = np.flatnonzero(case.press == press)
+    strongest = _strongest(case, frames)
+    held_n = np.percentile(case.force_n[frames], 75, axis=0)
+    tips_mm = case.table.tip_xy_mm[strongest]
+    is_pressed = (held_n >= CONTACT_FORCE_N)[:, None] & np.isfinite(tips_mm).all(axis=2)
+    cell, tip = np.nonzero(is_pressed)
+    face, tip_n = case.face[strongest, cell], (held_n / np.maximum(is_pressed.sum(axis=1), 1))[cell]
+    answers = case.mechanics.signal_changes(face, tips_mm[cell, tip], tip_n)
+    return None if answers is None else (_live_answers(case, answers), face, tip_n)
+
+
 def _live_answers(
-    answers: Float[np.ndarray, "press face sensor 3"], is_live: Bool[np.ndarray, "side chip 3"]
+    case: Judged, answers: Float[np.ndarray, "press face sensor 3"]
 ) -> Float[np.ndarray, "press side chip 3"]:
     """Return a model's answers of the channels that a recording has; NaN where one of them has none."""
+    is_live = np.asarray(np.isfinite(case.table.counts).any(axis=0))
     faces, sensors = np.minimum(answers.shape[1:3], is_live.shape[:2])
     recorded = np.full((len(answers), *is_live.shape), np.nan)
     recorded[:, :faces, :sensors] = answers[:, :faces, :sensors]

@@ -31,19 +31,22 @@ def gains():
 
 
 GAINS = gains()
+STRONG = GAINS.copy()
+"""The same, but that presses of face 1 show by 60, too, outside of its corner."""
+STRONG[0, :-1] *= 3
 
 
-def gain_of(place):
+def gain_of(place, by_place):
     face, x, y = place
     ix, iy = (int(np.flatnonzero(value == LINE_MM)[0]) for value in (x, y))
-    return GAINS[face - 1, ix * 5 + iy]
+    return by_place[face - 1, ix * 5 + iy]
 
 
-def model(faces=5):
+def model(faces=5, by_place=GAINS):
     """Mechanics of the object whose presses have these gains, of its first faces."""
     depth = np.array([0.5, 1.0, 2.0])
     force = np.broadcast_to(10 * depth, (faces, 25, 3)).copy()
-    sensed = GAINS[:faces, :, :faces].reshape(faces, 25, 3 * faces, 3)
+    sensed = by_place[:faces, :, :faces].reshape(faces, 25, 3 * faces, 3)
     delta = sensed[:, :, None] * force[..., None, None]
     lattice, baseline = PlaceGrid(LINE_MM, LINE_MM), np.zeros((3 * faces, 3))
     signals = Signals(np.arange(1, faces + 1), lattice, depth, force, delta, baseline)
@@ -52,11 +55,15 @@ def model(faces=5):
     )
 
 
-def recorded(folder, presses, mechanics=None):
+def recorded(folder, presses, mechanics=None, by_place=GAINS, silent_press=None):
     """Recording of presses (true place, labelled place), in this order."""
     rng = np.random.default_rng(1)
     force = np.concatenate([np.zeros(REST), np.full(HOLD, FORCE_N), np.zeros(REST)])
-    counts = np.concatenate([force[:, None, None, None] * gain_of(true) for true, _ in presses])
+    counts = np.concatenate(
+        [force[:, None, None, None] * gain_of(true, by_place) for true, _ in presses]
+    )
+    if silent_press is not None:
+        counts[silent_press * PRESS : (silent_press + 1) * PRESS] = 0
     counts = np.round(rng.normal(500 + counts, 10.0))
     labels = np.repeat([label for _, label in presses], PRESS, axis=0)
     touched = np.tile(force > 0, len(presses))
@@ -110,6 +117,19 @@ def test_a_weak_place_that_is_pressed_once_is_believed_by_the_model_alone(tmp_pa
 
 def test_the_model_of_an_object_with_fewer_faces_judges_those(tmp_path):
     assert all(used(recorded(tmp_path, TRUE[:4], model(faces=4))))
+
+
+def test_a_face_that_hardly_answers_at_a_weak_place_is_no_silent_one_by_the_model(tmp_path):
+    """3 counts a newton where 60 are usual: less than a tenth. One that is unplugged stays silent."""
+    presses = [(place, place) for place in (WEAK, FIRM, FIRM, FIRM, SIDE)]
+    alone = recorded(tmp_path, presses, by_place=STRONG)
+    assert len(texts(alone, "force without signal")) == 1
+    known = model(by_place=STRONG)
+    assert all(used(recorded(tmp_path, presses, known, by_place=STRONG)))
+    unplugged = recorded(tmp_path, presses, known, by_place=STRONG, silent_press=2)
+    assert used(unplugged) == [True, True, False, True, True]
+    (text,) = texts(unplugged, "force without signal")
+    assert text.startswith(f"force without signal: rows {2 * PRESS}–")
 
 
 @pytest.mark.parametrize("mechanics", [None, model()], ids=["alone", "by the model"])
