@@ -62,13 +62,16 @@ def contact_cases(
     keys = place_keys(face, tip_xy_mm)
     block = block_numbers(keys)
     _, first, index = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    cases = [_place(face[row], tip_xy_mm[row]) for row in first]
+    cases = [contact_place(face[row], tip_xy_mm[row]) for row in first]
     places = tuple(sorted({case for case in cases if case}))
     number = np.array([places.index(case) if case else -1 for case in cases])
     return block, np.where(touching.any(axis=1), number[index.ravel()], -1), places
 
 
-def _place(face: Int[np.ndarray, "cell"], tip_xy_mm: Float[np.ndarray, "cell tip 2"]) -> Place:
+def contact_place(
+    face: Int[np.ndarray, "cell"], tip_xy_mm: Float[np.ndarray, "cell tip 2"]
+) -> Place:
+    """Contact case that a row's labels state, to 1 µm; empty where they state no place."""
     return tuple(
         sorted(
             (int(f), round(float(x), 3), round(float(y), 3))

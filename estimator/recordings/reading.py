@@ -120,7 +120,8 @@ def read_recording(
         What the object's chips and faces can show, by default a chip of 16 bits and three times the
         grid's reach.
     mechanics : TravelForces, optional
-        Mechanics of the object, needed where the label is a machine's travel and no force.
+        Mechanics of the object, needed where the label is a machine's travel and no force; they also say
+        whether a face that answers more strongly than the labelled one makes the label doubtful.
 
     Returns
     -------
@@ -142,7 +143,7 @@ def read_recording(
         by_travel = table.labelled_by_travel
         table = with_forces(table, mechanics) if by_travel else table
         table, left_out, unreadable = _believed(table, limits)
-        case, unsure, misread = _find_presses(table)
+        case, unsure, misread = _find_presses(table, mechanics)
         named, press_faults = judge_presses(case)
         hidden, concealed = hidden_contacts(case)
         at_rest = case.rest & ~hidden
@@ -262,7 +263,9 @@ def _report(
     )
 
 
-def _find_presses(table: RawTable) -> tuple[Judged, Bool[np.ndarray, "frame"], list[Fault]]:
+def _find_presses(
+    table: RawTable, mechanics: TravelForces | None
+) -> tuple[Judged, Bool[np.ndarray, "frame"], list[Fault]]:
     """The table with its presses, frames whose force was misread, and what was found of forces and faces."""
     no_contact = table.declared_rest | np.all(np.isnan(table.tip_xy_mm), axis=(1, 2, 3))
     if table.kind == "generic":
@@ -300,7 +303,7 @@ def _find_presses(table: RawTable) -> tuple[Judged, Bool[np.ndarray, "frame"], l
         table=table, time_s=time_s, rate_hz=rate_hz, force_n=force_n, aligned_n=aligned_n,
         shear_n=shear_n, press=press, stretch=stretch, block=block, responses=responses,
         no_contact=no_contact, rest=rest, repeats=repeats, lag=lag,
-        noise_counts=rest_noise_counts(table.counts, rest, repeats.stale),
+        noise_counts=rest_noise_counts(table.counts, rest, repeats.stale), mechanics=mechanics,
     )  # fmt: skip
     return case, unsure, [*misread, *turns, *corrected]
 

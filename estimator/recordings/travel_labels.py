@@ -1,4 +1,4 @@
-"""Forces of recordings that a machine labelled by its travel: what an object's mechanics give there.
+"""Recordings by their object's specification: forces at a machine's travel, answers to a press.
 
 At a given travel the force is proportional to the silicone's modulus, so the ends of the modulus'
 interval bound every force (linear elasticity; docs/recordings.md).
@@ -12,10 +12,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.errors import RecordingError
+from design.errors import InputError, RecordingError
 from estimator.frames.dataset import NO_FACE
 from estimator.recordings.table import RawTable
-from estimator.signals.interpolation import force_at_depth, press_traces
+from estimator.signals.interpolation import (
+    among_pressed,
+    counts_at_force,
+    force_at_depth,
+    press_traces,
+)
 from estimator.signals.presses import Signals
 from fem.presses.results import PressForces
 
@@ -25,10 +30,13 @@ class TravelForces:
     """Mechanics of a recorded object, made or read where a travel is asked for.
 
     `spread` holds the ends of the modulus' interval over the modulus; NaN where they are not known.
+    `signals` are of the same presses, asked for where a label of a face is doubted; None where no model
+    may judge it.
     """
 
     presses: Callable[[], PressForces]
     spread: Float[np.ndarray, "2"]
+    signals: Callable[[], Signals] | None = None
 
     def press_forces(
         self,
@@ -57,6 +65,38 @@ class TravelForces:
             forces.faces, forces.lattice, forces.depth_mm, forces.force_n, bare, np.zeros((0, 3))
         )
         return force_at_depth(press_traces(signals, face, *xy_mm.T), travel_mm)
+
+    def signal_changes(
+        self,
+        face: Int[np.ndarray, "press"],
+        xy_mm: Float[np.ndarray, "press 2"],
+        force_n: Float[np.ndarray, "press"],
+    ) -> Float[np.ndarray, "press face sensor 3"] | None:
+        """Return the change (counts) of faces 1 to the last sensed one in each press, beyond the deepest
+        simulated one as in it.
+
+        NaN on faces without sensors; None without a model, or where its presses do not reach a place.
+        """
+        if self.signals is None:
+            return None
+        signals = self.signals()
+        try:
+            traces = press_traces(signals, face, *xy_mm.T)
+        except InputError:
+            return None
+        change = counts_at_force(traces, force_n[:, None], beyond="clamp").counts[:, 0]
+        sensors = len(signals.baseline_counts) // len(signals.faces)
+        by_face = np.full((len(face), signals.faces.max(), sensors, 3), np.nan)
+        by_face[:, signals.faces - 1] = change.reshape(len(face), -1, sensors, 3)
+        return by_face
+
+    def places_mm(self, face: int) -> Float[np.ndarray, "place 2"]:
+        """Return the places of a face whose presses `signal_changes` knows; none without a model."""
+        if self.signals is None or face not in self.signals().faces:
+            return np.empty((0, 2))
+        signals = self.signals()
+        pressed, xy_mm = signals.pressed[signals.faces == face][0], signals.lattice.xy_mm
+        return xy_mm[among_pressed(signals.lattice, pressed, *xy_mm.T)]
 
 
 def force_text(factors: Float[np.ndarray, "2"]) -> str:

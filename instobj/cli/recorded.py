@@ -25,7 +25,10 @@ app = typer.Typer()
 def recordings(
     files: Recordings,
     spec: Annotated[
-        Path | None, typer.Option(help="Specification of the object, for its contact grid.")
+        Path | None,
+        typer.Option(
+            help="Specification of the object, for its contact grid and to judge doubtful labels."
+        ),
     ] = None,
     out: Annotated[
         Path,

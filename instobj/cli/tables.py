@@ -21,6 +21,8 @@ from instobj.store import readers
 HEADLINES = ("verdict", SCORES_TITLE, "read worse than the bound", "not judged")
 """Titles of a summary with a verdict that a terminal shows; the rest is in `--json`."""
 _MOST_COLUMNS = 12
+_MOST_LABELS = 3
+"""Leading columns that may name a row, at most."""
 _LONGEST_WORD = 16
 _NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
 """A word that is one number, with its sign, unit sign or brackets."""
@@ -135,41 +137,66 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
 
 
 def _print_rows(console: Console, title: str, rows: list[dict[str, Any]]) -> None:
-    """A table; two or more where its words and numbers would not fit the width unbroken."""
+    """A table below its title; two or more where its words and numbers would not fit the width unbroken."""
     if not rows:
         console.print(f"[bold]{title}[/bold]: nothing")
         return
     names = list(dict.fromkeys(name for row in rows for name in row))
     rows = [{name: row.get(name) for name in names} for row in rows]
-    columns, widths = _laid_out(rows, console.width, _words)
-    if widths is None and len(names) <= 2:
-        columns, widths = _laid_out(rows, console.width, _numbers)
-    if widths is None and len(names) > 2:
-        half = (len(names) + 1) // 2
-        for part in (names[:half], [names[0], *names[half:]]):
-            _print_rows(console, title, [{name: row[name] for name in part} for row in rows])
-        return
-    table = Table(title=title, title_justify="left", box=SIMPLE, padding=(0, 0, 0, 1))
-    for (name, *_), width in zip(columns, widths or [None] * len(columns), strict=True):
-        table.add_column(name, justify="right", width=width, overflow="fold")
-    for cells in zip(*(values for _, *values in columns), strict=True):
-        table.add_row(*cells)
-    console.print(table)
+    console.print(title, style="table.title")
+    for columns, widths in _tables(rows, console.width):
+        table = Table(box=SIMPLE, padding=(0, 0, 0, 1))
+        for (name, *_), width in zip(columns, widths or [None] * len(columns), strict=True):
+            table.add_column(name, justify="right", width=width, overflow="fold")
+        for cells in zip(*(values for _, *values in columns), strict=True):
+            table.add_row(*cells)
+        console.print(table)
+
+
+def _tables(
+    rows: list[dict[str, Any]], room: int
+) -> list[tuple[list[list[str]], list[int] | None]]:
+    """Columns and widths of one table, or of several: then each begins with what names the rows."""
+    names = list(rows[0])
+    label_count = _label_count(rows)
+    labels, figures = names[:label_count], names[label_count:]
+    columns, widths = _laid_out(rows, room, _words)
+    if widths is None and len(figures) <= 1:
+        columns, widths = _laid_out(rows, room, _numbers)
+    if widths is not None or len(figures) <= 1:
+        return [(columns, widths)]
+    half = (len(figures) + 1) // 2
+    parts = (figures[:half], figures[half:])
+    return [
+        table
+        for part in parts
+        for table in _tables([{name: row[name] for name in (*labels, *part)} for row in rows], room)
+    ]
+
+
+def _label_count(rows: list[dict[str, Any]]) -> int:
+    """Leading columns whose values together name each row: 1 where three do not."""
+    for count in range(1, _MOST_LABELS + 1):
+        if len({tuple(map(shown, list(row.values())[:count])) for row in rows}) == len(rows):
+            return count
+    return 1
 
 
 def _laid_out(
     rows: list[dict[str, Any]], room: int, kept: Callable[[list[str]], list[str]]
 ) -> tuple[list[list[str]], list[int] | None]:
-    """Columns and their widths, transposed where they are many or their words do not fit.
+    """Columns and their widths, transposed where they are many or their words do not fit, and of a single
+    row where its names do not fit in a line.
 
     Where the words fit neither way only those `kept` stay whole: no widths where they fit neither way.
     """
     columns = _columns(rows)
     widths = _widths(columns, room, _parts)
     many = len(columns) > _MOST_COLUMNS and len(rows) < len(columns)
+    many = many or (len(rows) == 1 and _widths(columns, room, list) is None)
     if len(columns) == 1 or (widths and not many):
         return columns, widths
-    flipped = _columns(turned(rows))
+    flipped = [list(line) for line in zip(*columns, strict=True)]
     flipped_widths = _widths(flipped, room, _parts)
     if flipped_widths:
         return flipped, flipped_widths

@@ -34,6 +34,7 @@ from instobj.store.publish import (
     file_rows,
     own_folder_of,
     require_writable_folder,
+    run_folder,
 )
 from instobj.store.readers import FRAMES, INVERSION, face_model_paths
 
@@ -219,7 +220,10 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
     first, exported = next(iter(targets.items()))
     # the data set on which an estimator was trained lies in its folder
     if (frames := first.parent / FRAMES.name).is_file():
-        document["next"] = next_step("export", exported, frames)
+        folder = first.parent
+        runs_out = folder.parent.parent  # predictions go to the same folder
+        kept = runs_out if run_folder(runs_out, folder.name) == folder else None
+        document["next"] = next_step("export", exported, frames, out=kept)
     return document
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +22,7 @@ from instobj.commands.next_step import next_step
 from instobj.store.keys import file_key
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import TWIN, file_rows, require_writable, run_folder
-from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR
+from instobj.store.readers import FRAMES, MODELS, PRESSES, SHEAR, SIGNALS
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -110,12 +111,15 @@ def _converted(files: list[Path], out: Path) -> dict[str, Any]:
 
 
 def travel_forces(spec: ObjectSpec) -> TravelForces:
-    """Return the mechanics of an object for labels of travel; presses come from the store or are made."""
+    """Return the mechanics of an object for labels of travel and doubted labels of faces; presses come from
+    the store or are made where they are asked for."""
     from estimator.recordings.travel_labels import TravelForces
     from instobj.stages.run import Run
 
     spread = spec.silicone.relative_spread or (np.nan, np.nan)
-    return TravelForces(lambda: Run(spec).read(PRESSES)[0], np.array(spread))
+    return TravelForces(
+        lambda: Run(spec).read(PRESSES)[0], np.array(spread), cache(lambda: Run(spec).read(SIGNALS))
+    )
 
 
 def run_on_data_set(

@@ -144,18 +144,32 @@ def press_responses(
     press: Int[np.ndarray, "frame"],
 ) -> Float[np.ndarray, "press face"]:
     """Change of each face's signals (rms counts over live channels) between rest and full force."""
+    return face_sizes(press_changes(counts, force_n, press))
+
+
+def press_changes(
+    counts: Float[np.ndarray, "frame face sensor 3"],
+    force_n: Float[np.ndarray, "frame cell"],
+    press: Int[np.ndarray, "frame"],
+) -> Float[np.ndarray, "press face sensor 3"]:
+    """Return the mean change (counts) of every channel between rest and full force of each press."""
     total = force_n.sum(axis=1)
-    responses = np.full((press.max() + 1, counts.shape[1]), np.nan)
-    for number in range(len(responses)):
+    changes = np.full((press.max() + 1, *counts.shape[1:]), np.nan)
+    for number in range(len(changes)):
         frames = np.flatnonzero(press == number)
         low, high = np.percentile(total[frames], [15, 75])
         rest, loaded = frames[total[frames] <= low], frames[total[frames] >= high]
-        change = counts[loaded].mean(axis=0) - counts[rest].mean(axis=0)
-        for face in range(counts.shape[1]):
-            live = change[face][np.isfinite(change[face])]
-            if len(live):
-                responses[number, face] = np.sqrt(np.mean(live**2))
-    return responses
+        changes[number] = counts[loaded].mean(axis=0) - counts[rest].mean(axis=0)
+    return changes
+
+
+def face_sizes(
+    changes: Float[np.ndarray, "*press face sensor 3"],
+) -> Float[np.ndarray, "*press face"]:
+    """Return the rms over each face's live channels; NaN where a face has none."""
+    live = np.isfinite(changes).sum(axis=(-2, -1))
+    square_sum = np.nansum(changes**2, axis=(-2, -1))
+    return np.where(live > 0, np.sqrt(square_sum / np.maximum(live, 1)), np.nan)
 
 
 def correct_face_labels(

@@ -11,6 +11,7 @@ from estimator.recordings.checks.faults import Fault
 from estimator.recordings.checks.repeats import Repeats
 from estimator.recordings.presses import CONTACT_FORCE_N, LagReport
 from estimator.recordings.table import RawTable
+from estimator.recordings.travel_labels import TravelForces
 
 Rows = tuple[Bool[np.ndarray, "frame"], list[Fault]]
 """Frames that a check names, with one sentence for each cause and span."""
@@ -29,6 +30,7 @@ class Judged:
     responses : (press, face) change of each face's signals under force, counts
     no_contact : (frame,) labels say that nothing touches
     rest : (frame,) load cells say so, at the instant of the signals
+    mechanics : those of the object's specification, where it is known
     """
 
     table: RawTable
@@ -46,6 +48,7 @@ class Judged:
     repeats: Repeats
     lag: LagReport
     noise_counts: Float[np.ndarray, "face sensor 3"]
+    mechanics: TravelForces | None = None
 
     @property
     def face(self) -> Int[np.ndarray, "frame cell"]:

@@ -37,8 +37,8 @@ def place_label_faults(
     for k in np.flatnonzero(count[index] > 1):
         own_place = index[k]
         others = (mean[own_place] * count[own_place] - pattern[k]) / (count[own_place] - 1)
-        near = float(_chords(pattern[k], others[None])[0])
-        rivals = _chords(pattern[k], mean)
+        near = float(chords(pattern[k], others[None])[0])
+        rivals = chords(pattern[k], mean)
         same = [_faces(places[other_place]) == _faces(places[place[k]]) for other_place in pressed]
         rivals[~np.array(same)] = np.inf
         rivals[own_place] = np.inf
@@ -112,7 +112,7 @@ def _size(mean: Float[np.ndarray, "channel"]) -> float:
     return float(np.sqrt(np.nansum(mean**2)))
 
 
-def _chords(
+def chords(
     pattern: Float[np.ndarray, "channel"], others: Float[np.ndarray, "place channel"]
 ) -> Float[np.ndarray, "place"]:
     """Distances of a unit pattern from others, over the channels that both have."""

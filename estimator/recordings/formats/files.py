@@ -17,6 +17,8 @@ from jaxtyping import Float, Int
 from design.errors import RecordingError
 from estimator.frames.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
 from estimator.recordings.formats.generic import (
+    CHANNEL,
+    check_header,
     generic_motion,
     generic_signals,
     generic_table,
@@ -190,6 +192,8 @@ def _check_gripper_header(header: list[str]) -> int:
     positions = [f"Probe_Pos_{tip + 1}" for tip in range(max(tips, 1))]
     second = ["Probe_Pos_2"] if tips == 1 else positions
     expected = [*_HEAD, *_CHANNELS, "Probe_Face_1", *positions, "Probe_Face_2", *second]
+    if cells := [name for name in _HEAD if name not in header]:
+        raise RecordingError(_own_file_text(header, cells))
     missing = [name for name in (*_HEAD, *_CHANNELS) if name not in header]
     if missing:
         raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
@@ -210,6 +214,21 @@ def _check_gripper_header(header: list[str]) -> int:
             f"positions a face). {FORMATS}"
         )
     return tips
+
+
+def _own_file_text(header: list[str], cells: list[str]) -> str:
+    """One sentence on a file that begins with the gripper's time and has no such load cells."""
+    text = (
+        f"its first column {_HEAD[0]!r} means the public gripper format, and it lacks the columns "
+        f"{', '.join(cells)}. In a file of your own name it time_s (seconds)"
+    )
+    renamed = ["time_s", *header[1:]]
+    if is_generic_header(header[1:]):
+        try:
+            check_header(renamed, labelled=not all(map(CHANNEL.fullmatch, header[1:])))
+        except RecordingError as error:
+            return f"{text}; then {error}"
+    return f"{text}; {FORMATS}"
 
 
 def _training_table(rows: list[list[str]], digest: str, first_line: int) -> RawTable:

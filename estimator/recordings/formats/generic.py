@@ -48,6 +48,12 @@ _CELL = re.compile(r"cell([1-9])_(?:force_n|face)")
 _FACE = re.compile(r"cell([1-9])_face")
 _TIP = re.compile(r"cell([1-9])_x([1-9])_mm")
 _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
+_TIME = re.compile(r"(?:t|time|timestamp)(s|sec|seconds|ms|us|ns)?")
+"""Letters of a column that looks like the time, with its unit."""
+_OF_SECOND = {"ms": "1000", "us": "1 000 000", "ns": "1 000 000 000"}
+_ANY_CHANNEL = "F1-X1 …"
+_MOST_NAMED = 8
+"""Columns that an error names one by one."""
 
 
 def is_generic_header(header: list[str]) -> bool:
@@ -56,16 +62,25 @@ def is_generic_header(header: list[str]) -> bool:
 
 
 def _meant(name: str) -> str:
-    """The name of a column as this format spells it: `F1_X1`, `f1-x1` and `cell1_force [N]` are clear."""
-    letters = re.sub(r"[^a-z0-9]", "", name.lower())
+    """The name of a column as this format spells it: `F1_X1`, `f1-x1` and `cell1_force [N]` are clear, and
+    `t` or `time_ms` look like the time."""
+    letters = _letters(name)
+    if _TIME.fullmatch(letters):
+        return "time_s"
     channel = re.fullmatch(r"f([1-6])([xyz])([1-9]\d?)", letters)
     if channel:
         return f"F{channel[1]}-{channel[2].upper()}{channel[3]}"
     spelt = ["time_s", "session", "rest", TRAVEL, *MOTION, *_cell_columns(1, 9), *_shear_columns(1)]
+    spelt.append("cell1_force_g")
     cell = re.match(r"cell([1-9])", letters)
     alike = {re.sub(r"[^a-z0-9]", "", column): column for column in spelt}
     meant = alike.get("cell1" + letters[5:] if cell else letters, name)
     return meant.replace("cell1", f"cell{cell[1]}", 1) if cell else meant
+
+
+def _letters(name: str) -> str:
+    """Letters and digits of a name, small; micro is u."""
+    return re.sub(r"[^a-z0-9]", "", re.sub("[µμ]", "u", name.lower()))
 
 
 def generic_columns(
@@ -287,7 +302,7 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     unknown = [name for name in header if name not in known_columns and not CHANNEL.fullmatch(name)]
     missing = [name for name in ("time_s", *needed, *shear, *motion) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
-        missing.append("F1-X1 …")
+        missing.append(_ANY_CHANNEL)
     if unknown:
         raise RecordingError(_unknown_text(unknown, missing))
     if missing:
@@ -296,24 +311,49 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
 
 
 def _unknown_text(unknown: list[str], missing: list[str]) -> str:
-    """One sentence on the column whose name is most clearly wrong."""
+    """One sentence on all columns whose names are wrong."""
     nameless = [name for name in unknown if not name or name.startswith("Unnamed: ")]
     if nameless:
         return (
             "a column has no name: written by pandas with its index? `to_csv(path, index=False)` leaves "
             f"it out. {FORMATS}"
         )
-    for name in unknown:
-        if (meant := _meant(name)) in missing:
-            return f"{meant} is missing (there is {name!r}). Name it {meant}; {FORMATS}"
-    for name in unknown:
-        if (meant := _meant(name)) != name:
-            return f"column {name!r} is not known: did you mean {meant}? {FORMATS}"
-    lacking = f"; it lacks {', '.join(missing[:6])}" if missing else ""
-    return (
-        f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}{lacking}. Take notes and "
-        f"other columns out; units stand in the names (cell1_force_n, cell1_x1_mm); {FORMATS}"
-    )
+    meant = {name: column for name in unknown if (column := _meant(name)) != name}
+    strange = [name for name in unknown if name not in meant]
+    supplied = {column.replace("force_g", "force_n") for column in meant.values()}
+    supplied |= {_ANY_CHANNEL for column in supplied if CHANNEL.fullmatch(column)}
+    absent = [name for name in missing if name not in supplied]
+    lacking = f"it lacks {', '.join(absent[:6])}" if absent else ""
+    if not meant:
+        return (
+            f"it has columns that are not known: {', '.join(map(repr, strange[:5]))}"
+            f"{lacking and f'; {lacking}'}. Take notes and other columns out; units stand in the names "
+            f"(cell1_force_n, cell1_x1_mm); {FORMATS}"
+        )
+    others = f"not known either: {', '.join(map(repr, strange[:5]))}" if strange else ""
+    text, more = _meant_text(meant, missing), "; ".join(filter(None, [others, lacking, FORMATS]))
+    return f"{text} {more[0].upper() if text.endswith('?') else more[0]}{more[1:]}"
+
+
+def _meant_text(meant: dict[str, str], missing: list[str]) -> str:
+    """All names that are nearly right, with what was meant; of the time also what to divide it by."""
+    (name, column), *more = meant.items()
+    if not more and column in missing and "(" not in _spelt(name, column):
+        return f"{column} is missing (there is {name!r}). Name it {column};"
+    if not more:
+        return f"column {name!r} is not known: did you mean {_spelt(name, column)}?"
+    named = [f"{_spelt(*pair)} for {pair[0]!r}" for pair in list(meant.items())[:_MOST_NAMED]]
+    others = " and so on" if len(meant) > _MOST_NAMED else ""
+    return f"{len(meant)} columns are not known: did you mean {', '.join(named)}{others}?"
+
+
+def _spelt(name: str, column: str) -> str:
+    """The right name of a column; of a time also its unit."""
+    match = _TIME.fullmatch(_letters(name))
+    if match is None or match[1] in ("s", "sec", "seconds"):
+        return column
+    of_second = _OF_SECOND.get(match[1])
+    return f"{column} (seconds{f'; divide by {of_second}' if of_second else ''})"
 
 
 def counts_of_column(

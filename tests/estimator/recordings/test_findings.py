@@ -118,8 +118,8 @@ def test_a_face_that_answers_three_times_a_named_one_casts_doubt():
         Fault(
             "doubtful face label",
             "rows 2–3",
-            "face 2 responds 31 counts, a named face only 10",
-            "frames not used",
+            "face 2 answers 3.1 times as strongly as the labelled face 1",
+            "frames not used (--spec judges it by the object's model)",
         )
     ]
 

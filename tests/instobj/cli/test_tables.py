@@ -101,6 +101,59 @@ def test_words_are_not_broken_where_two_tables_hold_them(printed):
     assert {"remanence", "temperature", "tolerance", "counts", "7.67e-07", "1.65e-09"} <= words
 
 
+@pytest.fixture
+def of_networks():
+    """The table of `train` on a recording: rows named by face and model, too wide for 80 columns."""
+    figures = ("similarity", "shift px", "force error %", "force error N", "total force error N")
+    more = ("rest read", "frames pressed", "frames at rest")
+    return [
+        {"face": face, "model": model} | dict.fromkeys((*figures, *more), 0.01234 * face)
+        for face in (1, 2, 3, 4, 5)
+        for model in ("network", "linear", "mean map")
+    ]
+
+
+def test_every_part_of_a_split_table_begins_with_what_names_its_rows(printed, of_networks):
+    """The second part had the face without the model: which of three rows was which could not be seen."""
+    shown = printed(of_networks)
+    for face in "12345":
+        for model in ("network", "linear", "mean"):
+            rows = [line for line in shown if line[:2] == [face, model]]
+            assert len(rows) == 2, "one in each part"
+            assert {len(row) for row in rows} <= {6, 7}
+
+
+def test_the_title_of_a_split_table_is_printed_once(monkeypatch, capsys, of_networks):
+    monkeypatch.setenv("COLUMNS", "80")
+    title = "force maps of held-out presses"
+    print_result({"tables": {title: of_networks}})
+    shown = capsys.readouterr().out.splitlines()
+    assert [line.rstrip() for line in shown].count(title) == 1
+    assert sum("─" in line for line in shown) == 2
+
+
+def test_a_turned_table_is_headed_by_the_values_of_its_first_column(printed):
+    """As of contacts: `tips a face` was headed 1: 1, 2: 1, 3: 1."""
+    figures = [f"figure of the {name} %" for name in ("first", "second", "third", "fourth")]
+    figures += [f"{name} in 90 % interval" for name in ("force", "place", "turn")]
+    rows = [
+        {"tips a face": tips, "force": force} | dict.fromkeys(figures, "0.333333333")
+        for tips, force in ((1, "light"), (1, "firm"), (2, "light"))
+    ]
+    assert printed(rows)[:2] == [
+        ["tips", "a", "face", "1", "1", "2"],
+        ["force", "light", "firm", "light"],
+    ]
+
+
+def test_a_single_row_whose_names_do_not_fit_a_line_is_a_list(printed):
+    """As of predictions: headings stood in lines of one or two words."""
+    names = ("frames", "frames that lack a reading", "frames before a zero", "largest force N")
+    row = dict.fromkeys((*names, "force interval held"), 7)
+    assert printed([row]) == [[*name.split(), "7"] for name in row]
+    assert printed([{"frames": 7, "contacts": 2}]) == [["frames", "contacts"], ["7", "2"]]
+
+
 def test_rounding_errors_are_zero_and_what_is_not_known_a_dash(printed):
     shown = printed([{"a": -9.09e-13, "b": float("nan"), "c": 1.47e-7, "d": -0.0, "e": None}])
     assert shown[-1] == ["0", "–", "1.47e-07", "0", "–"]

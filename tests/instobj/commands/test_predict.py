@@ -104,6 +104,19 @@ def test_export_finds_estimators_with_a_twin_and_keeps_them_apart(several, tmp_p
     assert (out / "twin" / "face_3.onnx").read_text() == str(twin / "face_3.safetensors")
 
 
+def test_the_command_after_an_export_keeps_the_folder_of_results(several, tmp_path, monkeypatch):
+    """Predictions went to `runs` of the folder that the command was called in."""
+    (several[0] / "frames.nc").touch()
+    read = f"instobj predict {several[0]}/face_3.onnx {several[0]}/frames.nc --out {tmp_path}"
+    assert export_models([several[0] / "face_3.safetensors"])["next"] == read
+    assert export_models([several[0]])["next"] == read
+    monkeypatch.chdir(tmp_path)
+    here = export_models([Path("runs/cube")])["next"]
+    assert here == "instobj predict runs/cube/face_3.onnx runs/cube/frames.nc"
+    monkeypatch.chdir(tmp_path / "runs")
+    assert "--out" not in export_models([Path("cube")])["next"]
+
+
 def test_two_estimators_that_would_be_one_file_are_refused_before_any_is_written(several, tmp_path):
     plain, _, other = several
     with pytest.raises(InputError, match=r"cube/face_3.* and .*other/face_3.* both become .*robot"):

@@ -21,6 +21,7 @@ from estimator.recordings.travel_labels import TravelForces
 from estimator.signals.interpolation import depth_at_force, press_traces
 from fem.presses.results import PressForces
 from instobj.bench.live.source import data_set_table
+from instobj.commands.training import travel_forces
 from instobj.stages.run import Run
 from instobj.store.readers import SIGNALS
 from tests.support.cli import run
@@ -185,6 +186,21 @@ def test_the_netcdf_of_a_travel_recording_is_the_same_recording(bench, tmp_path)
     assert again.labelled_by_travel
     assert again.digest == table.digest
     np.testing.assert_array_equal(again.travel_mm, table.travel_mm)
+
+
+def test_the_mechanics_of_a_specification_say_what_its_sensors_answer(bench):
+    """Presses at a node of the lattice, at the force of a simulated depth and beyond the deepest."""
+    spec = load_spec(bench / "cube.toml")
+    signals, mechanics = Run(spec).read(SIGNALS), travel_forces(spec)
+    node = int(np.argmin(np.abs(signals.lattice.xy_mm).sum(axis=1)))
+    faces, sensors = len(signals.faces), len(signals.baseline_counts) // len(signals.faces)
+    forces_n = np.array([signals.force_n[0, node, 1], 2 * signals.force_n[0, node, -1]])
+    places_mm = np.tile(signals.lattice.xy_mm[node], (2, 1))
+    found = mechanics.signal_changes(np.full(2, signals.faces[0]), places_mm, forces_n)
+    expected = signals.delta_counts[0, node, [1, -1]].reshape(2, faces, sensors, 3)
+    np.testing.assert_allclose(found[:, signals.faces - 1], expected, atol=1e-6)
+    assert mechanics.places_mm(int(signals.faces[0])).tolist() == signals.lattice.xy_mm.tolist()
+    assert mechanics.signal_changes(np.ones(1, int), np.full((1, 2), 99.0), forces_n[:1]) is None
 
 
 def hertz(depths_mm, spread=(0.5, 2.0)):

@@ -38,6 +38,47 @@ def test_a_column_that_is_nearly_right_is_named_with_what_was_meant(tmp_path, ol
     assert message(tmp_path, TEXT.replace(old, new)).startswith(begins)
 
 
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [
+        ("time_ms", "seconds; divide by 1000"),
+        ("time [ms]", "seconds; divide by 1000"),
+        ("time (µs)", "seconds; divide by 1 000 000"),
+        ("t", "seconds"),
+        ("timestamp", "seconds"),
+    ],
+)
+def test_a_time_of_another_name_or_unit_is_asked_for_in_seconds(tmp_path, name, unit):
+    told = message(tmp_path, TEXT.replace("time_s", name))
+    assert told.startswith(f"column {name!r} is not known: did you mean time_s ({unit})? `instobj")
+
+
+def test_all_columns_that_are_nearly_right_are_named_at_once(tmp_path):
+    header = HEADER.replace("time_s", "time [s]").replace("force_n", "force [N]")
+    told = message(tmp_path, TEXT.replace(HEADER, header.replace("rest", "resting")))
+    assert told.startswith(
+        "2 columns are not known: did you mean time_s for 'time [s]', cell1_force_n for 'cell1_force "
+        "[N]'? Not known either: 'resting'; `instobj docs"
+    )
+    grams = (
+        HEADER.replace("force_n", "force (g)").replace("F1-X1", "F1_X1").replace("F1-Y1", "F1_Y1")
+    )
+    told = message(tmp_path, TEXT.replace(HEADER, grams))
+    assert "F1-X1 for 'F1_X1', F1-Y1 for 'F1_Y1', cell1_force_g for 'cell1_force (g)'? `i" in told
+    assert "lacks" not in told
+
+
+def test_an_own_file_whose_time_is_named_as_the_grippers_says_how_to_name_it(tmp_path):
+    told = message(tmp_path, TEXT.replace("time_s", "Time"))
+    assert told.startswith(
+        "its first column 'Time' means the public gripper format, and it lacks the columns Left, "
+        "Right-blue. In a file of your own name it time_s (seconds); `instobj docs"
+    )
+    both = message(tmp_path, TEXT.replace("time_s", "Time").replace("cell1_force_n", "Fz"))
+    assert "name it time_s (seconds); then it has columns that are not known: 'Fz'" in both
+    assert "it lacks cell1_force_n" in both
+
+
 @pytest.mark.parametrize("name", ["", "Unnamed: 0"])
 def test_the_index_of_pandas_is_told(tmp_path, name):
     rows = [f"{k},{row}" for k, row in enumerate(ROWS)]
