@@ -195,14 +195,14 @@ STAGES: dict[str, Stage] = {
         ("signals",),
         ("score", *_NUISANCES, "seed"),
         make_scores,
-        version=12,
+        version=13,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=8,
+        version=9,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -350,7 +350,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=27,
+        version=28,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

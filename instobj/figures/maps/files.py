@@ -76,7 +76,7 @@ def _with_position_notes(spec: ObjectSpec, scores: PlaceScores, face_map: FaceMa
         f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, fresh baseline. Weakest: "
         f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
         f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
-        + (f" {scores.exceeds_bound} (framed)." if scores.exceeds_bound else "")
+        + (f" {scores.exceeds_bound} (crossed)." if scores.exceeds_bound else "")
         + (f" {scores.unreached}." if scores.unreached else "")
     )
     directions, marked = scores.weakest_direction_deg, scores.misread
@@ -111,7 +111,7 @@ def draw_measure_maps(
     folder: Path,
     step: Callable[[str], None],
 ) -> None:
-    """Overviews of the measures that vary over the object, its weakest tenth framed."""
+    """Overviews of the measures that vary over the object, its weakest tenth crossed."""
     bound, is_judged = scores.position_bound_mm, scores.judged
     weakest = is_judged & (bound >= np.quantile(bound[is_judged], 0.9, method="lower"))
     for name, measure in _MEASURE_MAPS.items():
@@ -119,7 +119,7 @@ def draw_measure_maps(
             continue
         step(f"map of the {measure.title.lower()}")
         note = (
-            "Framed: the tenth of the contact locations with the largest position bounds. "
+            "Crossed: the tenth of the contact locations with the largest position bounds. "
             f"Rank correlation with the bound: {areas.rank_correlation[name]:+.2f}."
         )
         values = measure.factor * getattr(areas.measures, name)

@@ -56,7 +56,6 @@ _ABOVE_CAPTION_INCHES = 2.1
 """Height of scale and legend in the column."""
 _NAME_POINTS = 10.5
 _ARROW_MM = 5.0
-MARKED = "#2fd6f5"
 
 
 @dataclass(frozen=True)
@@ -69,7 +68,7 @@ class FaceMap:
     limits : ends of the scale, by default the least and the largest finite value
     note : caption, wrapped to its column
     direction_deg : (face, place), from each face's x, drawn as a line through blank places
-    marked : (face, place), places that get a frame
+    marked : (face, place), places that get a cross
     """
 
     title: str
@@ -131,7 +130,7 @@ def draw_overview(spec: ObjectSpec, face_map: FaceMap, path: Path | str) -> Figu
         if face_map.direction_deg is not None:
             draw_directions(page.axes, spec, face_map.direction_deg[index], blank[index], pose)
         if face_map.marked is not None:
-            _draw_frames(page.axes, spec, face_map.marked[index], pose)
+            _draw_crosses(page.axes, spec, face_map.marked[index], pose)
         _name(page.axes, spec, number, pose)
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)
@@ -249,20 +248,20 @@ def draw_directions(
     axes.add_collection(lines)
 
 
-def _draw_frames(
+def _draw_crosses(
     axes: Any, spec: ObjectSpec, marked: Bool[np.ndarray, "place"], pose: Pose
 ) -> None:
-    """Frames just inside the cells of marked places."""
+    """Crosses in the cells of marked places; squares would look like sensors."""
     from matplotlib.collections import LineCollection
     from matplotlib.patheffects import withStroke
 
-    half = 0.42 * spec.contact_grid.pitch_mm
-    square = half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+    half = 0.22 * spec.contact_grid.pitch_mm
+    strokes = half * np.array([[[-1, -1], [1, 1]], [[-1, 1], [1, -1]]])
     centres = contact_grid(spec).xy_mm[marked]
-    lines = [pose.apply(centre + square) for centre in centres]
-    frames = LineCollection(lines, colors=MARKED, linewidths=1.6, zorder=5)
-    frames.set_path_effects([withStroke(linewidth=3.2, foreground=INK)])
-    axes.add_collection(frames)
+    lines = [pose.apply(centre + stroke) for centre in centres for stroke in strokes]
+    crosses = LineCollection(lines, colors=PAPER, linewidths=1.2, zorder=5)
+    crosses.set_path_effects([withStroke(linewidth=2.4, foreground=INK)])
+    axes.add_collection(crosses)
 
 
 def _draw_axes_arrows(page: _Page, spec: ObjectSpec, face: int, pose: Pose) -> None:
