@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.surface_chart import steepest_reach_mm
+from design.body.surface_chart import FaceFrame, steepest_reach_mm
 from design.layout.body import body_of, core_frames, face_frame, face_frames
 from design.layout.places.positions import board_sinks_mm, magnet_layout, sensor_layout
 from tests.support.objects.body_cases import body_spec
@@ -140,3 +140,27 @@ def test_a_patch_reaches_to_60_degrees_and_nowhere_without_a_cap():
     slope = 5.0 / 12.0 * (reach / 12.0) / np.sqrt(1 - (reach / 12.0) ** 2)
     assert slope == pytest.approx(np.sqrt(3.0))
     assert steepest_reach_mm(0.0, 5.0) == steepest_reach_mm(-1.0, 5.0) == 0.0
+
+
+def test_a_line_that_never_meets_the_surface_keeps_no_other_waiting():
+    """Newton's steps go to and fro on a root: 60 of them for that line, not for the thousand others."""
+    evaluated = []
+
+    class HalfFlat:
+        """Level at y > 0; elsewhere z = x − √x, which a line z = x crosses with a step of twice x."""
+
+        def evaluate(self, xy_mm):
+            evaluated.append(len(xy_mm))
+            (x, y), root = xy_mm.T, np.sqrt(abs(xy_mm[:, 0]))
+            with np.errstate(divide="ignore"):
+                slope = np.where(y > 0, 0.0, 1 - 0.5 / root)
+            return np.where(y > 0, 0.0, x - np.sign(x) * root), np.column_stack([slope, 0 * y])
+
+    normal, x, y = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
+    frame = FaceFrame(1, normal, x, y, np.zeros(3), (10.0, 10.0), HalfFlat())
+    points = np.tile([0.25, 1.0, 0.25], (1001, 1))
+    points[500, 1] = -1.0
+    met = frame.project_along(points, np.array([1.0, 0.0, 1.0]))
+    assert np.isnan(met[500]).all()
+    assert np.delete(met, 500, axis=0) == pytest.approx(np.tile([0.0, 1.0, 0.0], (1000, 1)))
+    assert sum(evaluated) < 5_000
