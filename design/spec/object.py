@@ -162,7 +162,8 @@ class ObjectSpec(SpecPart):
             if given is not None and len(given) not in enough:
                 raise ValueError(
                     f"{key} holds {len(given)} lists; the body's sensed faces are "
-                    f"{list(faces)}. Give one list for all of them, or one for each"
+                    f"{list(faces)}. Give one list for all of them, or one for each; body.sensed_faces says "
+                    "which faces there are"
                 )
         return self
 

@@ -32,6 +32,9 @@ _PROBE_SCALES_COUNTS = tuple(2.0**power for power in range(0, 17, 2))
 """From the noise of a channel to the range of a 16-bit chip."""
 _PARITY = 1e-3
 """Share of an output's largest value among changes of one scale: single precision leaves 1e-4."""
+_NOTHING = 1e-6
+"""Difference (N, mm or a chance) that no reader sees: at rest an output may be 1e-17, of which single
+precision leaves a tenth."""
 
 
 def export_onnx(model: FaceModel, path: Path | str) -> None:
@@ -39,7 +42,7 @@ def export_onnx(model: FaceModel, path: Path | str) -> None:
 
     Outputs agree with those of the trained model within 1e-5 of their size on its data (tested).
     Before the file gets its name it is run on random changes of 1 to 65 536 counts, and must be
-    finite and within 1e-3 of the trained model's outputs on each scale of them.
+    finite and within 1e-3 of the trained model's outputs on each scale of them (and 1e-6 N, mm).
 
     Raises
     ------
@@ -69,11 +72,12 @@ def require_parity(model: FaceModel, written: Path, path: Path | str) -> None:
         expected = model.network.cpu().eval()(torch.from_numpy(counts))
     for name, got, tensor in zip(UNITS, outputs, expected, strict=True):
         true = tensor.numpy()
-        wrong = ~np.isclose(got, true, rtol=0, atol=_PARITY * output_sizes(true), equal_nan=True)
+        allowed = _PARITY * output_sizes(true) + _NOTHING
+        wrong = ~np.isclose(got, true, rtol=0, atol=allowed, equal_nan=True)
         if wrong.any():
             frames = wrong.reshape(len(wrong), -1).any(axis=1).mean()
             raise InputError(
-                f"{path} is not written: in {100 * frames:.0f} % of test frames the exported {name} is "
+                f"{path} is not written: in {100 * frames:.2g} % of test frames the exported {name} is "
                 "not that of the trained model (or not a number). Install the versions of torch, onnx, "
                 "onnxscript and onnxruntime that constraints.txt pins, then export again"
             )

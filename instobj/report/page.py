@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 import numpy as np
 
+from design.layout.body import face_frames
 from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.coverage import covered_shares
 from design.spec.object import ObjectSpec
@@ -116,12 +117,13 @@ def locations_line(spec: ObjectSpec) -> str:
 
 
 def _covered_by_face(spec: ObjectSpec) -> str:
-    """Shares of single faces, where they differ."""
+    """Shares of single faces, where they differ; those of curved bodies may overlap."""
     shares = [f"{100 * share:.0f}\N{NO-BREAK SPACE}%" for share in covered_shares(spec)]
     if len(set(shares)) == 1:
         return ""
     named = (f"face {face}: {share}" for face, share in zip(spec.body.sensed, shares, strict=True))
-    return f" ({', '.join(named)})"
+    flat = all(frame.flat for frame in face_frames(spec))
+    return f" ({', '.join(named)}{'' if flat else '; patches overlap, and what several cover counts once'})"
 
 
 def is_papers_cube(spec: ObjectSpec) -> bool:

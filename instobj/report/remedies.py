@@ -176,9 +176,11 @@ def decision(candidates: list[Remedy], go: bool) -> str:
         return "None of the changes tried here fits and makes it better"
     if first.turns:
         return f"Turns it into a go: {first.text}"
-    helps = f"Helps most alone: {first.text}"
+    helps, nearest = f"Helps most alone: {first.text}", min(candidates, key=_order)
     if isfinite(first.ratio):
-        helps += f"; a figure is then still {_above(first.ratio)} its limit"
+        helps += f"; the worst figure is then still {_above(first.ratio)} its limit"
+        if _distance(nearest) < _distance(first):
+            helps += f" ({_above(nearest.ratio)} with {_joined(nearest.changes)})"
     else:
         helps += (
             f"; the weakest position bound is then {first.bound_mm:.2g} mm, and "

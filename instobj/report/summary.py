@@ -294,8 +294,8 @@ def _networks_in_short(result: StoredResult) -> dict[str, str]:
         if better:
             best = min(better, key=lambda row: row["total_force_n"])
             text += (
-                f". Better here: {best['name']}, {_errors_text(best)}. Networks need more presses, or the "
-                "object's specification (--twin)"
+                f". Better in force here: {best['name']}, {_errors_text(best)}. Networks need more "
+                "presses, or the object's specification (--twin)"
             )
         lines[f"face {model['face']}"] = text
     return lines

@@ -65,7 +65,7 @@ def edge_text(content: dict[str, Any]) -> str:
     else:
         return "as good as the middle"
     outer, inner = content["edge_paths_mm"]
-    if times > 1 and outer >= _FARTHER * inner:
+    if times >= _WEAK_FROM and outer >= _FARTHER * inner:
         text += (
             f", because magnets and sensors are farther away ({outer:.0f} mm, not {inner:.0f} mm)"
         )

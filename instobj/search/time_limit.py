@@ -90,7 +90,7 @@ class TimeLimit:
             raise InputError(
                 f"search.seconds = {self.seconds:g} ends before a search has a result: {text}, and "
                 f"{_CHAINS} × {_describe_seconds(chain_s)} for the chain of the start and "
-                "of a finalist. Instead "
+                "of a finalist, twice as long beside other programs. Instead "
                 f"{give}"
             )
         holds = (
@@ -126,7 +126,8 @@ class TimeLimit:
         except TimeSpent:
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
-                f"was a result.{first_look()} Go on with --resume, and with more search.seconds"
+                f"was a result.{first_look()} Go on with --resume and search.seconds = {2 * self.seconds:g}, "
+                "all other options as before"
             ) from None
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)

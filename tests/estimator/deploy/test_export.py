@@ -99,6 +99,18 @@ def test_a_model_that_is_certain_of_its_pixels_exports_without_a_nan(certain, ce
         )
 
 
+def test_a_model_that_is_sure_of_rest_is_exported(model, tmp_path):
+    """Its force at rest is far below a newton's millionth, of which single precision leaves a tenth: sixty
+    presses trained such ones, and none could be exported."""
+    sure = copy.deepcopy(model)
+    for member in sure.network.members:
+        with torch.no_grad():
+            member.heads.bias -= 40.0
+            member.heads.bias[: member.pixels] += 40.0
+    export_onnx(sure, tmp_path / "sure.onnx")
+    assert (tmp_path / "sure.onnx").is_file()
+
+
 def test_an_export_that_differs_from_the_model_is_not_written(certain, tmp_path, monkeypatch):
     export = torch.onnx.export
     monkeypatch.setattr(
@@ -134,7 +146,9 @@ def test_one_frame_of_one_output_that_is_off_is_enough(model, path, monkeypatch)
             return outputs
 
     monkeypatch.setattr(export, "open_session", lambda written: Off())
-    with pytest.raises(InputError, match=f"not written: in 0 % of .* the exported {name} is not"):
+    with pytest.raises(
+        InputError, match=f"not written: in 0.17 % of .* the exported {name} is not"
+    ):
         require_parity(model, path, path)
 
 

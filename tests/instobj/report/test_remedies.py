@@ -106,6 +106,17 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
 
+def test_a_set_that_comes_nearer_is_named_beside_the_change_that_helps_most():
+    """Of a cylinder two more sensors left 2.58 times the limit; with four frames each it was 1.78."""
+    rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0), row(("a", "b"), 2.5)]
+    told = decision(remedies(SPEC, rows), go=False)
+    assert (
+        "alone: b (no more magnets or sensors); the worst figure is then still 1.5 times its limit"
+        in told
+    )
+    assert "(1.25 times with a and b)" in told
+
+
 def test_a_figure_just_above_its_limit_is_told_as_above_it():
     told = decision(remedies(SPEC, [START, row(("a",), bound_mm=2.004)]), go=False)
     assert "0.2 % above its limit" in told
