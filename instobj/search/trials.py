@@ -141,7 +141,8 @@ def search_key(spec: ObjectSpec) -> str:
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
         del content["search"][name]
-    del content["limits"]["use"]  # its figures stand next to it
+    if spec.limits.use != "bench":
+        del content["limits"]["use"]  # its figures stand next to it; only "bench" changes bounds besides
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
