@@ -261,7 +261,7 @@ STAGES: dict[str, Stage] = {
         ("frames",),
         ("training", *_NUISANCES, "seed"),
         make_networks,
-        version=14,
+        version=15,
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
