@@ -280,9 +280,9 @@ STAGES: dict[str, Stage] = {
     "contact_metrics": Stage(
         "estimator: contacts of a virtual object",
         ("response", "large_strain", "presses", "inversion"),
-        ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
+        ("collection", "protocol", "silicone.prony", "limits.use", "tolerances", "seed"),
         make_contact_metrics,
-        version=12,
+        version=13,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
