@@ -142,9 +142,8 @@ def search_key(spec: ObjectSpec) -> str:
     for name in _BUDGET:
         del content["search"][name]
     if spec.limits.use != "bench":
-        del content["limits"][
-            "use"
-        ]  # its figures stand next to it; only "bench" changes bounds besides
+        # Figures of a use stand next to it; "bench" alone changes bounds besides.
+        del content["limits"]["use"]
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
