@@ -33,7 +33,7 @@ from estimator.inversion.readings import (
     widened,
 )
 from estimator.inversion.search import Hypotheses, Search
-from estimator.signals.nuisances import magnet_columns
+from estimator.signals.nuisances import magnet_columns, slip_columns
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -87,8 +87,11 @@ class Inversion:
 
     @cached_property
     def magnet_columns(self) -> tuple[Float[np.ndarray, "channel k"], ...]:
-        """Return what a magnet near the object adds, counts per standard deviation, by its distance."""
-        return magnet_columns(self.model.spec)
+        """Return what a magnet near the object adds, counts per standard deviation, by its distance; last
+        what a small slip of the core adds, which looks like presses as magnets do."""
+        magnets, slip = magnet_columns(self.model.spec), slip_columns(self.model.spec)
+        more = magnets[0].shape[1] - slip.shape[1]
+        return *magnets, np.pad(slip, ((0, 0), (0, more)))
 
     @cached_property
     def jaws(self) -> Jaws:

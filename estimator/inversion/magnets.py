@@ -1,4 +1,5 @@
-"""Magnets and steel near the object: frames that their field explains better than contacts alone do."""
+"""Magnets and steel near the object, and small slips of its core: frames that these explain better than
+contacts alone do."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ contacts show."""
 class BesideMagnet:
     """Frames seen as they are (`plain`), and with the field of a magnet near by as a nuisance.
 
-    `columns` of each shell of distances (`estimator.signals.nuisances.magnet_columns`).
+    `columns` of each shell of distances, and of a slip (`Inversion.magnet_columns`).
     """
 
     plain: Observations

@@ -48,6 +48,18 @@ def test_a_magnet_is_no_contact(reader):
     assert np.mean(found.number > 0) <= 0.12
 
 
+@pytest.mark.parametrize("reader", [inverted, doubting])
+@pytest.mark.parametrize("slip_mm", [0.05, 0.1])
+def test_a_slipped_core_is_no_contact(slip_mm, reader):
+    """All magnets shift against the chips; half of the frames at 0.05 mm look like presses of 5 N."""
+    rng = np.random.default_rng(13)
+    way = rng.standard_normal((FRAMES, 1, 3))
+    shift_mm = slip_mm * way / np.linalg.norm(way, axis=2, keepdims=True)
+    motion = STILL + np.pad(shift_mm, ((0, 0), (0, 0), (0, 3)))
+    found, _ = reader().read(zeroed_counts(SPEC, motion, rng))
+    assert np.mean(found.explained & (found.number > 0)) <= 0.1
+
+
 def test_a_tracker_believes_no_place_beside_a_magnet_at_80_mm():
     found = [Tracker(inverted()).feed(frame) for frame in beside_magnet(80, 0.4)]
     assert np.mean([one.explained[0] and one.number[0] > 0 for one in found]) <= 0.07
