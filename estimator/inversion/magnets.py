@@ -1,5 +1,4 @@
-"""Magnets and steel near the object, and small slips of its core: frames that these explain better than
-contacts alone do."""
+"""Magnets and steel near the object, small slips of its core: frames that contacts explain less well."""
 
 from __future__ import annotations
 
