@@ -15,9 +15,8 @@ from jaxtyping import Float
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from design.spec.environment import EnvironmentSpec
 from design.spec.object import ObjectSpec
-from estimator.signals.field_setup import scene, zero_motion
+from estimator.signals.field_setup import scene
 from estimator.signals.presses import rest_counts
-from estimator.signals.surroundings import moved_counts
 
 AMBIENT_FIELD = "ambient field"
 """Name of the nuisance whose unknowns are x, y and z of a uniform field."""
@@ -28,9 +27,6 @@ _SHELLS_MM = ((25.0, 45.0), (45.0, 75.0), (75.0, 130.0))
 prior for all of them would leave far ones to contacts: it asks for gradients ten times as large."""
 _DRAWN_MAGNETS, _MAGNET_COLUMNS = 2000, 15
 """Magnets drawn, and columns kept: a uniform field, its 5 gradients and 7 second derivatives."""
-_SLIP_MM, _SLIP_DEG = 0.1, 0.3
-"""Deviations of a small slip of the core: 0.3° at 20 mm is 0.1 mm. Signals are linear in slips so small, and
-contacts explain none above 0.1 mm (tests)."""
 
 
 @dataclass(frozen=True)
@@ -111,33 +107,6 @@ def magnet_columns(spec: ObjectSpec) -> tuple[Float[np.ndarray, "channel k"], ..
         _, size, rows = np.linalg.svd(counts / _DRAWN_MAGNETS**0.5, full_matrices=False)
         columns.append((size[:_MAGNET_COLUMNS, None] * rows[:_MAGNET_COLUMNS]).T)
     return tuple(columns)
-
-
-def slip_columns(spec: ObjectSpec) -> Float[np.ndarray, "channel 6"]:
-    """Return columns A, with A Aᵀ the covariance of the counts that a small slip of the core adds at rest.
-
-    Shifts along x, y and z of the object, then turns about them, each by a standard deviation.
-    """
-    return np.stack(
-        [
-            *(_slipped_counts(spec, shift, np.zeros(3)) for shift in _SLIP_MM * np.eye(3)),
-            *(_slipped_counts(spec, np.zeros(3), turn) for turn in _SLIP_DEG * np.eye(3)),
-        ],
-        axis=1,
-    )
-
-
-def _slipped_counts(
-    spec: ObjectSpec, shift_mm: Float[np.ndarray, "3"], turn_deg: Float[np.ndarray, "3"]
-) -> Float[np.ndarray, "channel"]:
-    """Counts that a slip of the core adds at rest: half the difference to the opposite slip."""
-    opposed = []
-    for sign in (1.0, -1.0):
-        shift, turn = (tuple((sign * part).tolist()) for part in (shift_mm, turn_deg))
-        slip = spec.mechanics.slip.changed(shift_mm=shift, rotation_deg=turn)
-        moved = spec.changed(mechanics=spec.mechanics.changed(slip=slip))
-        opposed.append(moved_counts(moved, zero_motion(scene(spec))[0]).ravel())
-    return (opposed[0] - opposed[1]) / 2
 
 
 def _drawn_dipoles_mt(

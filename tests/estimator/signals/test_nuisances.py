@@ -3,13 +3,10 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.spatial.transform import Rotation
 
-from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
-from estimator.signals.nuisances import magnet_columns, nuisance_columns, nuisances, slip_columns
+from estimator.signals.nuisances import magnet_columns, nuisance_columns, nuisances
 from estimator.signals.presses import rest_counts
-from tests.support.turned_frames import expected_counts, magnets_field_t
 
 CUBE = ObjectSpec(name="cube")
 
@@ -83,17 +80,3 @@ def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add(shell, distan
     assert np.linalg.norm(left) < 0.1 * np.linalg.norm(whole)
     # what is expected of such a magnet is as large as what it adds
     assert 0.5 < np.linalg.norm(whole) / np.linalg.norm(size) < 2
-
-
-def test_columns_of_a_slip_are_what_shifted_and_turned_magnets_add():
-    """By magpylib: the shell's magnets move against the chips, the other way than the core."""
-    shift_mm, turn_deg = np.array([0.06, -0.03, 0.02]), np.array([0.1, 0.2, -0.15])
-    centre = magnet_layout(CUBE).centre_mm
-    back = Rotation.from_rotvec(-turn_deg, degrees=True)
-    motion = np.zeros((2, len(centre), 6))
-    motion[1, :, :3] = back.apply(centre - shift_mm) - centre
-    motion[1, :, 3:] = back.as_rotvec()
-    at_rest, slipped = magnets_field_t(CUBE, motion)
-    change = np.diff(expected_counts(CUBE, np.stack([at_rest, slipped])), axis=0)[0]
-    unknowns = np.concatenate([shift_mm / 0.1, turn_deg / 0.3])
-    assert_allclose(slip_columns(CUBE) @ unknowns, change, atol=0.02 * np.abs(change).max())
