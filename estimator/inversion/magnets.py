@@ -42,9 +42,9 @@ def slip_columns(model: ContactModel) -> Float[np.ndarray, "channel 6"]:
     """
     centre_mm = shell_body_layout(model.spec).centre_mm
     moved = np.zeros((6, *model.rest.shape))
-    for axis, along in enumerate(np.eye(3)):
+    for axis, unit in enumerate(np.eye(3)):
         moved[axis, :, axis] = -_SLIP_MM
-        moved[3 + axis, :, :3] = -_SLIP_RAD * np.cross(along, centre_mm)
+        moved[3 + axis, :, :3] = -_SLIP_RAD * np.cross(unit, centre_mm)
         moved[3 + axis, :, 3 + axis] = -_SLIP_RAD
     return (model.counts_of_motions(moved) - model.counts_of_motions(-moved)).T / 2
 
