@@ -7,7 +7,7 @@ drift; each frame its own noise, rounding and clipping.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -187,6 +187,20 @@ def disturbed(
     baseline = signals.baseline_counts.ravel()
     expected = (baseline + delta + offset + drift).reshape(-1, channels // 3, 3)
     return read_out(expected, sensors, rng).reshape(delta.shape) - baseline
+
+
+def with_nuisances(
+    frames: FrameSet, columns: Float[np.ndarray, "face sensor 3 k"], seed: int
+) -> FrameSet:
+    """Return frames with nuisances since the zero (`estimator.signals.nuisances`) drawn for every press;
+    what a network sees as further faces, its changes over time, feels none."""
+    rng = np.random.default_rng(seed)
+    press, index = np.unique(frames.press_id, return_inverse=True)
+    unknowns = rng.standard_normal((len(press), columns.shape[3]))[index]
+    counts = frames.signal_counts.copy()
+    # n frame, k nuisance; f face, s sensor, a axis
+    counts[:, : len(columns)] += np.einsum("nk,fsak->nfsa", unknowns, columns)
+    return replace(frames, signal_counts=counts)
 
 
 def _labelled(

@@ -20,7 +20,7 @@ from estimator.inversion.evidence import contact_blocks, joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.jaws import JawFit, Jaws, JawTable
 from estimator.inversion.lying import log_evidence_without, lying_chips
-from estimator.inversion.magnets import BesideMagnet
+from estimator.inversion.magnets import BesideMagnet, slip_columns
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
@@ -87,8 +87,11 @@ class Inversion:
 
     @cached_property
     def magnet_columns(self) -> tuple[Float[np.ndarray, "channel k"], ...]:
-        """Return what a magnet near the object adds, counts per standard deviation, by its distance."""
-        return magnet_columns(self.model.spec)
+        """Return what a magnet near the object adds, counts per standard deviation, by its distance; last
+        what a small slip of the core adds, which looks like presses as magnets do."""
+        magnets, slip = magnet_columns(self.model.spec), slip_columns(self.model)
+        more = magnets[0].shape[1] - slip.shape[1]
+        return *magnets, np.pad(slip, ((0, 0), (0, more)))
 
     @cached_property
     def jaws(self) -> Jaws:

@@ -1,4 +1,4 @@
-"""Magnets and steel near the object: frames that their field explains better than contacts alone do."""
+"""Magnets and steel near the object, small slips of its core: frames that contacts explain less well."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.layout.places.positions import shell_body_layout
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.model.arrays import like, rows_of
-from estimator.inversion.model.forward import NONE
+from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import most_probable, refitted
 from estimator.inversion.problems import Observations, Problems
 from estimator.inversion.search import Hypotheses, Search
@@ -28,12 +29,31 @@ _HOPELESS = 100.0
 """Misfit over that without a magnet, from which a fit ends with its first step: no magnet shows what strong
 contacts show."""
 
+_SLIP_MM, _SLIP_RAD = 0.1, 0.005
+"""Deviations of a small slip of the core: 0.005 rad at 20 mm is 0.1 mm. Signals are linear in slips so small,
+and contacts explain none above 0.1 mm (tests)."""
+
+
+def slip_columns(model: ContactModel) -> Float[np.ndarray, "channel 6"]:
+    """Return columns A, with A Aᵀ the covariance of the counts that a small slip of the core adds at rest.
+
+    Shifts along x, y and z of the object, then turns about them: all that the shell holds moves the
+    other way.
+    """
+    centre_mm = shell_body_layout(model.spec).centre_mm
+    moved = np.zeros((6, *model.rest.shape))
+    for axis, unit in enumerate(np.eye(3)):
+        moved[axis, :, axis] = -_SLIP_MM
+        moved[3 + axis, :, :3] = -_SLIP_RAD * np.cross(unit, centre_mm)
+        moved[3 + axis, :, 3 + axis] = -_SLIP_RAD
+    return (model.counts_of_motions(moved) - model.counts_of_motions(-moved)).T / 2
+
 
 @dataclass(frozen=True)
 class BesideMagnet:
     """Frames seen as they are (`plain`), and with the field of a magnet near by as a nuisance.
 
-    `columns` of each shell of distances (`estimator.signals.nuisances.magnet_columns`).
+    `columns` of each shell of distances, and of a slip (`Inversion.magnet_columns`).
     """
 
     plain: Observations

@@ -156,7 +156,8 @@ def run_on_data_set(
         "twin": None if twin is None else twin.inputs,
     }
     unfinished = unfinished_folder(stage_key("networks", inputs))
-    how = Fitting(training, seed, progress.step, unfinished, twin)
+    spec = None if twin is None else twin.spec
+    how = Fitting(training, seed, progress.step, unfinished, twin, spec)
     split = split_presses(frames, seed)
 
     def train(folder: Path, _: Results) -> None:

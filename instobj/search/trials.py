@@ -141,7 +141,9 @@ def search_key(spec: ObjectSpec) -> str:
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
         del content["search"][name]
-    del content["limits"]["use"]  # its figures stand next to it
+    if spec.limits.use != "bench":
+        # Figures of a use stand next to it; "bench" alone changes bounds besides.
+        del content["limits"]["use"]
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 

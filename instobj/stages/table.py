@@ -261,7 +261,7 @@ STAGES: dict[str, Stage] = {
         ("frames",),
         ("training", *_NUISANCES, "seed"),
         make_networks,
-        version=14,
+        version=15,
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
@@ -280,9 +280,9 @@ STAGES: dict[str, Stage] = {
     "contact_metrics": Stage(
         "estimator: contacts of a virtual object",
         ("response", "large_strain", "presses", "inversion"),
-        ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
+        ("collection", "protocol", "silicone.prony", "limits.use", "tolerances", "seed"),
         make_contact_metrics,
-        version=12,
+        version=13,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -298,7 +298,9 @@ INVERTS = ("--set", "training.model=inversion", "--set", "inversion.contacts=3")
 def test_contacts_of_the_whole_object_are_found_by_inversion(folder, first):
     done = run("train", "small.toml", "--json", cwd=folder)  # of the report: nothing is made again
     assert all(row["reused"] for row in _document(done)["stages"])
-    rows = json.loads((folder / "runs/small/contact_metrics.json").read_text())["contacts"]
+    content = json.loads((folder / "runs/small/contact_metrics.json").read_text())
+    assert content["judged"].endswith("turned and warmed since its zero")
+    rows = content["contacts"]
     pressed = [row for row in rows if row["force"] == "from 4 N" and row["tips a face"] == 1]
     assert pressed[0]["number right %"] > 90
     assert pressed[0]["distance mm"] < 2.0

@@ -179,3 +179,15 @@ def test_the_soft_pad_is_ranked_gentler_by_what_the_object_felt(run_script):
     # the overshoot of the hard pad, which the frames do not name
     expected = 4.0 * (found["GRIPPERS"]["hard pad"][1] - found["GRIPPERS"]["soft pad"][1])
     assert found["low"] - 0.3 < expected < found["high"] + 0.3
+
+
+def test_a_reader_that_knows_turning_reads_no_contact_where_nothing_touches(run_script):
+    """The other one reads several, and more than the finger's force."""
+    grasp = run_script(11)
+    is_pressed = grasp["true_n"] > 0
+    still_n, turned_n = (grasp["read_n"][name] for name in ("stands still", "is turned"))
+    assert np.mean(turned_n[~is_pressed] > 0) <= 0.01
+    assert np.mean(still_n[~is_pressed] > 0) > 0.1
+    assert abs(turned_n[is_pressed].mean() - 5.0) < 0.3
+    away = (grasp["field_ut"] - grasp["true_ut"]) / grasp["sigma_ut"]
+    assert np.mean(np.abs(away) < 1.645) > 0.85

@@ -116,19 +116,6 @@ def disturbed(
     return counts
 
 
-def with_nuisances(
-    data: FaceData, columns: Float[np.ndarray, "face sensor 3 k"], seed: int
-) -> FaceData:
-    """Frames with nuisances drawn for every press; changes over time feel none."""
-    rng = np.random.default_rng(seed)
-    press, index = np.unique(data.frames.press_id, return_inverse=True)
-    unknowns = rng.standard_normal((len(press), columns.shape[3]))[index]
-    counts = data.frames.signal_counts.copy()
-    # n frame, k nuisance; f face, s sensor, a axis
-    counts[:, : len(columns)] += np.einsum("nk,fsak->nfsa", unknowns, columns)
-    return replace(data, frames=replace(data.frames, signal_counts=counts))
-
-
 def nuisance_rows(
     data: FaceData,
     channels: tuple[Channel, ...],

@@ -29,6 +29,7 @@ from estimator.frames.face_data import (
     live_channels,
     with_history,
 )
+from estimator.frames.press_protocol import with_nuisances
 from estimator.networks.defaults import (
     BATCH_FRAMES,
     INTERVAL_COVER,
@@ -53,7 +54,6 @@ from estimator.networks.training.data import (
     press_folds,
     thinned,
     with_contacts,
-    with_nuisances,
 )
 from estimator.networks.training.fitting import Progress, Schedule, fit
 
@@ -135,7 +135,8 @@ def fit_estimator(
     folds, all_folds = [], folds_of(parts, settings)
     for number, (fitted, held_out) in enumerate(all_folds):
         if settings.nuisances is not None:
-            held_out = with_nuisances(held_out, settings.nuisances, seed)
+            turned = with_nuisances(held_out.frames, settings.nuisances, seed)
+            held_out = replace(held_out, frames=turned)
         counted = None if progress is None else partial(_counted, progress, number, len(all_folds))
         member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
         _fit_member(member, number, fitted, held_out, channels, settings, counted)

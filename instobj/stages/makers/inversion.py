@@ -69,10 +69,13 @@ def make_inversion(context: StageContext, folder: Path) -> None:
 
 
 def make_contact_metrics(context: StageContext, folder: Path) -> None:
-    """Measure readings of one to three contacts anywhere on an object that the inversion has not seen; single
-    ones pull sideways where it expects that. Where such contacts cannot be simulated the result says why."""
+    """Measure readings of one to three contacts anywhere on an object that the inversion has not seen, used
+    as `limits.use` says; single ones pull sideways where it expects that. Where such contacts cannot be
+    simulated the result says why."""
     from estimator.frames.collection import joined
     from estimator.frames.contact_traces import JointMechanics
+    from estimator.frames.press_protocol import with_nuisances
+    from estimator.signals.nuisances import nuisance_columns
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 
     spec = context.spec
@@ -86,6 +89,10 @@ def make_contact_metrics(context: StageContext, folder: Path) -> None:
     parts = _presses_anywhere(spec, signals, mechanics, context)
     frames, most = joined(parts), ("one contact", "one or two contacts", "one to three contacts")
     judged = f"{most[len(parts) - 1]} anywhere on a virtual object within the tolerances"
+    if (columns := nuisance_columns(spec)).size:
+        shape = (*frames.signal_counts.shape[1:], columns.shape[1])
+        frames = with_nuisances(frames, columns.reshape(shape), spec.seed)
+        judged += ", turned and warmed since its zero"
     write_contact_metrics(context.read(INVERSION), frames, judged, folder, context.step)
 
 

@@ -13,6 +13,7 @@ from estimator.frames.press_protocol import (
     nominal_peaks,
     plan_presses,
     simulate_presses,
+    with_nuisances,
 )
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
@@ -55,6 +56,18 @@ def test_a_press_shares_its_id_with_its_rest_and_labels_the_nominal_place(frames
     place = one.place_id[-1] % 1000
     assert_allclose(one.contact_xy_mm[6:, 0], np.tile(contact_grid(SPEC).xy_mm[place], (20, 1)))
     assert (one.force_n[6:, 0, :2] == 0).all()
+
+
+def test_nuisances_are_those_of_a_press_and_spread_as_their_deviations(frames):
+    """Rest and contact of a press are turned alike; presses are not."""
+    columns = np.random.default_rng(2).normal(0, 50, (5, 3, 3, 4))
+    added = with_nuisances(frames, columns, 1).signal_counts - frames.signal_counts
+    added = added.reshape(300, 26, 45)
+    assert_allclose(added, np.repeat(added[:, :1], 26, axis=1), atol=1e-9)
+    expected = np.linalg.norm(columns.reshape(45, 4), axis=1)
+    # deviations of 300 draws scatter by 4 %
+    assert_allclose(added[:, 0].std(axis=0), expected, rtol=0.2)
+    assert np.linalg.matrix_rank(added[:, 0], tol=1e-6) == 4
 
 
 def test_common_travel_brings_the_median_place_to_the_middle_of_the_range(signals):

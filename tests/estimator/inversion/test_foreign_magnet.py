@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
+from design.layout.places.positions import magnet_layout
 from estimator.inversion.lying import log_evidence_without
-from estimator.inversion.magnets import BesideMagnet
+from estimator.inversion.magnets import BesideMagnet, slip_columns
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import empty
@@ -21,7 +23,12 @@ from tests.support.mechanics.inverted import (
     noisy_counts,
     right,
 )
-from tests.support.turned_frames import foreign_magnets_t, zeroed_counts
+from tests.support.turned_frames import (
+    expected_counts,
+    foreign_magnets_t,
+    magnets_field_t,
+    zeroed_counts,
+)
 
 FRAMES = 30
 STILL = np.zeros((FRAMES, 25, 6))
@@ -46,6 +53,31 @@ def test_a_magnet_is_no_contact(reader):
     found, _ = reader().read(np.concatenate([beside_magnet(*magnet) for magnet in magnets]))
     assert np.mean(found.explained & (found.number > 0)) <= 0.09
     assert np.mean(found.number > 0) <= 0.12
+
+
+def test_columns_of_a_slip_are_what_shifted_and_turned_magnets_add():
+    """By magpylib: the shell's magnets move against the chips, the other way than the core."""
+    shift_mm, turn_rad = np.array([0.06, -0.03, 0.02]), np.array([0.002, 0.003, -0.0025])
+    centre, back = magnet_layout(SPEC).centre_mm, Rotation.from_rotvec(-turn_rad)
+    motion = np.zeros((2, len(centre), 6))
+    motion[1, :, :3] = back.apply(centre - shift_mm) - centre
+    motion[1, :, 3:] = back.as_rotvec()
+    change = np.diff(expected_counts(SPEC, magnets_field_t(SPEC, motion)), axis=0)[0]
+    unknowns = np.concatenate([shift_mm / 0.1, turn_rad / 0.005])
+    columns = slip_columns(inverted().model)
+    assert_allclose(columns @ unknowns, change, atol=0.02 * np.abs(change).max())
+
+
+@pytest.mark.parametrize("reader", [inverted, doubting])
+@pytest.mark.parametrize("slip_mm", [0.05, 0.1])
+def test_a_slipped_core_is_no_contact(slip_mm, reader):
+    """All magnets shift against the chips; half of the frames at 0.05 mm look like presses of 5 N."""
+    rng = np.random.default_rng(13)
+    way = rng.standard_normal((FRAMES, 1, 3))
+    shift_mm = slip_mm * way / np.linalg.norm(way, axis=2, keepdims=True)
+    motion = STILL + np.pad(shift_mm, ((0, 0), (0, 0), (0, 3)))
+    found, _ = reader().read(zeroed_counts(SPEC, motion, rng))
+    assert np.mean(found.explained & (found.number > 0)) <= 0.1
 
 
 def test_a_tracker_believes_no_place_beside_a_magnet_at_80_mm():

@@ -12,6 +12,7 @@ from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
 from estimator.frames.face_data import FaceData, face_data, live_channels
+from estimator.frames.press_protocol import with_nuisances
 from estimator.frames.splits import split_presses
 from estimator.networks.face_model import (
     MODEL_FORMAT,
@@ -24,7 +25,6 @@ from estimator.networks.face_model import (
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import save_tensors
 from estimator.networks.training import face as face_training
-from estimator.networks.training.data import with_nuisances
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -295,7 +295,7 @@ def test_a_network_that_knows_nuisances_reads_turned_frames_nearly_as_those_at_r
     columns = np.random.default_rng(3).normal(0, 80, (*frames.signal_counts.shape[1:], 2))
     training = QUICK.changed(model="whole-object")
     still = face_data(frames.select(split.test), FACE)
-    turned = with_nuisances(still, columns, 5)
+    turned = replace(still, frames=with_nuisances(still.frames, columns, 5))
 
     def error_n(model, data):
         pressed = data.contact

@@ -78,6 +78,7 @@ def test_a_search_is_neither_overwritten_nor_mixed_up(tmp_path):
     "changed",
     [
         {"tolerances": {"magnet_seat_mm": 0.4}},
+        {"limits": {"use": "bench"}},
         {"environment": {"earth_ut": 61.0}},
         {"training": {"epochs": 7}},
         {"protocol": {"frames_per_press": (8, 77)}},
@@ -87,7 +88,7 @@ def test_a_search_is_neither_overwritten_nor_mixed_up(tmp_path):
     ids=lambda changed: next(iter(changed)),
 )
 def test_trials_scored_under_another_specification_are_not_mixed_in(changed, tmp_path):
-    """Tolerances, surroundings and training change what the same layout scores on some level."""
+    """Tolerances, use, surroundings and training change what the same layout scores on some level."""
     path = tmp_path / "trials.jsonl"
     searched(path, trials=16)
     spec = made_up_space().spec

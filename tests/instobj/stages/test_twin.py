@@ -12,7 +12,8 @@ from estimator.calibration.twin import inverted_twin
 from estimator.frames.dataset import save_frames
 from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import split_presses
-from estimator.networks.face_model import load_model
+from estimator.networks.face_model import load_model, predict
+from estimator.signals.nuisances import ambient_field
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from instobj.commands import training
 from instobj.commands.run import run_estimator
@@ -40,6 +41,7 @@ SPEC = coarse_spec(
     },
 )
 SETTINGS = ["training.epochs=3", "training.hidden_units=[16, 16]", "seed=2"]
+LONGER = ["training.epochs=30", *SETTINGS[1:]]
 
 
 @pytest.fixture(scope="module")
@@ -122,6 +124,29 @@ def test_the_command_writes_models_and_what_was_calibrated(
     monkeypatch.setattr(learning, "train_networks", None)
     again = training.trained_networks(tmp_path / "cube.nc", SETTINGS, ProgressLine())
     assert again[FACE].network.state_dict().keys() == alone.keys()
+
+
+def test_a_twin_s_networks_know_that_the_object_is_turned(
+    frames, calibrated, tmp_path, monkeypatch
+):
+    """Forces that they read change less as the field turns, where the specification's use is no bench."""
+    monkeypatch.setattr(TwinOfData, "extended", lambda *given: calibrated[1])
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    save_frames(frames, tmp_path / "cube.nc")
+    columns = ambient_field(SPEC).columns
+    unknowns = np.random.default_rng(6).standard_normal((len(frames), columns.shape[1]))
+    turning = (unknowns @ columns.T).reshape(frames.signal_counts.shape)
+    turned = replace(frames, signal_counts=frames.signal_counts + turning)
+    changed_n = {}
+    for use in ("bench", "grasp"):
+        twin = replace(calibrated[0], spec=SPEC.changed(limits=SPEC.limits.changed(use=use)))
+        monkeypatch.setattr(training, "twin_of_data", lambda *given, made=twin: made)
+        given = [tmp_path / "cube.nc"], ("networks",), tmp_path / use, LONGER
+        run_estimator(*given, tmp_path / "cube.toml")
+        model = load_model(run_folder(tmp_path / use, "cube") / "twin" / f"face_{FACE}.safetensors")
+        still, moved = (predict(model, each).force_n for each in (frames, turned))
+        changed_n[use] = np.median(np.abs(moved - still))
+    assert changed_n["grasp"] < 0.7 * changed_n["bench"]
 
 
 def test_a_face_without_a_twin_stands_in_the_table(calibrated, tmp_path):
