@@ -210,7 +210,7 @@ def _kind(column: Float[np.ndarray, "row"]) -> str:
     step, whole = np.diff(readings), bool(np.all(readings == np.round(readings)))
     distinct = len(np.unique(readings))
     rising = len(step) > 0 and float(np.mean(step >= 0)) > _RISING and distinct > 1
-    if rising and (not whole or distinct > MOST_PLACES or readings.max() > 1e6):
+    if rising and (not whole or distinct > MOST_PLACES or readings.max() > _MOST_COUNT):
         return "time"
     calm = len(step) > 0 and float(np.mean(step != 0)) < _CALM
     if whole and calm and readings.min() >= 0 and readings.max() <= MOST_PLACES:

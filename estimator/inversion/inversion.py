@@ -86,9 +86,9 @@ class Inversion:
         return f"F{faces[face]}-{sensor + 1}"
 
     @cached_property
-    def magnet_columns(self) -> tuple[Float[np.ndarray, "channel k"], ...]:
-        """Return what a magnet near the object adds, counts per standard deviation, by its distance; last
-        what a small slip of the core adds, which looks like presses as magnets do."""
+    def lookalike_columns(self) -> tuple[Float[np.ndarray, "channel k"], ...]:
+        """Return what looks like presses, counts per standard deviation: magnets near by, by their distance;
+        last a small slip of the core."""
         magnets, slip = magnet_columns(self.model.spec), slip_columns(self.model)
         more = magnets[0].shape[1] - slip.shape[1]
         return *magnets, np.pad(slip, ((0, 0), (0, more)))
@@ -171,7 +171,7 @@ class Inversion:
             if len(rows):
                 frames = observations.select(rows)
                 *again, sound = self.read_once(search, frames.without(chip), error)
-                lies = ~BesideMagnet(frames, self.magnet_columns).is_likelier_than_chip(
+                lies = ~BesideMagnet(frames, self.lookalike_columns).is_likelier_than_chip(
                     search, believed.select(rows), log_evidence_without(search, frames, chip, sound)
                 )
                 sets = [
@@ -215,14 +215,14 @@ class Inversion:
         believed: Hypotheses,
     ) -> tuple[ContactSets, ContactSets]:
         """The same sets, but for frames that a magnet near by explains better than those `believed`."""
-        fewer = BesideMagnet(observations, self.magnet_columns).explains_with_fewer(
+        fewer = BesideMagnet(observations, self.lookalike_columns).explains_with_fewer(
             search, believed
         )
         fewer &= ~sets[0].jaws
         rows = np.flatnonzero((~sets[0].explained | fewer) & (sets[0].chip_out == NONE))
         if not len(rows):
             return sets
-        frames = BesideMagnet(observations.select(rows), self.magnet_columns)
+        frames = BesideMagnet(observations.select(rows), self.lookalike_columns)
         *again, wide = self.read_once(search, frames.wide, error)
         better = frames.log_evidence(search, wide.problems) > believed.log_evidence[rows]
         best, second = (

@@ -53,7 +53,7 @@ def slip_columns(model: ContactModel) -> Float[np.ndarray, "channel 6"]:
 class BesideMagnet:
     """Frames seen as they are (`plain`), and with the field of a magnet near by as a nuisance.
 
-    `columns` of each shell of distances, and of a slip (`Inversion.magnet_columns`).
+    `columns` of each shell of distances, and of a slip (`Inversion.lookalike_columns`).
     """
 
     plain: Observations

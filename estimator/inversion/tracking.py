@@ -135,7 +135,7 @@ class Tracker:
     def _seen(self, plain: Observations) -> Observations:
         """Return the frame without a chip that lies, or with a magnet near by, where that is believed."""
         if self.beside_magnet:
-            return plain.add_nuisances(self.inversion.magnet_columns[0])
+            return plain.add_nuisances(self.inversion.lookalike_columns[0])
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
     def _believe_again(self, plain: Observations) -> None:
@@ -146,7 +146,7 @@ class Tracker:
         explains = p_values(plain, refitted)[0] >= _STRAINED
         if self.beside_magnet and explains:
             search = self.inversion.search
-            beside = BesideMagnet(plain, self.inversion.magnet_columns)
+            beside = BesideMagnet(plain, self.inversion.lookalike_columns)
             alone = search.judged(refitted).log_evidence
             explains = (alone > beside.log_evidence(search, refitted)).all()
         self._sound = self._sound + 1 if explains else 0
@@ -164,7 +164,7 @@ class Tracker:
         ):
             return False
         search = self.inversion.search
-        beside = BesideMagnet(plain, self.inversion.magnet_columns)
+        beside = BesideMagnet(plain, self.inversion.lookalike_columns)
         return bool(beside.explains_with_fewer(search, search.judged(self._last))[0])
 
     def _diagnosed(
@@ -202,7 +202,7 @@ class Tracker:
         given = contacts.frame, contacts.face, contacts.contact, None, 1, _STEPS
         fit = most_probable(search.model, search.priors, plain.without(out), *given).to_host()
         sound = search.judged(fit)
-        beside = BesideMagnet(plain, self.inversion.magnet_columns)
+        beside = BesideMagnet(plain, self.inversion.lookalike_columns)
         evidence = log_evidence_without(search, plain, out, sound)
         return not beside.is_likelier_than_chip(search, sound, evidence)[0]
 

@@ -168,7 +168,7 @@ def first_change(candidates: list[Remedy]) -> Remedy | None:
 
 
 def decision(candidates: list[Remedy], go: bool) -> str:
-    """Return what to do, in one to three sentences."""
+    """Return what to do, in one to three sentences; candidates come in the order of `remedies`."""
     if go:
         return "Every limit is kept; nothing has to change"
     first = first_change(candidates)
@@ -176,7 +176,7 @@ def decision(candidates: list[Remedy], go: bool) -> str:
         return "None of the changes tried here fits and makes it better"
     if first.turns:
         return f"Turns it into a go: {first.text}"
-    helps, nearest = f"Helps most alone: {first.text}", min(candidates, key=_order)
+    helps, nearest = f"Helps most alone: {first.text}", candidates[0]
     if isfinite(first.ratio):
         helps += f"; the worst figure is then still {_above(first.ratio)} its limit"
         if _distance(nearest) < _distance(first):

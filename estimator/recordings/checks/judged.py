@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from estimator.recordings.checks.faults import Fault
+from estimator.recordings.checks.faults import Fault, press_changes
 from estimator.recordings.checks.repeats import Repeats
 from estimator.recordings.presses import CONTACT_FORCE_N, LagReport
 from estimator.recordings.table import RawTable
@@ -64,6 +65,11 @@ class Judged:
     def touching(self) -> Bool[np.ndarray, "frame cell"]:
         """Return where a load cell shows a contact, at the instant of the signals."""
         return self.aligned_n >= CONTACT_FORCE_N
+
+    @cached_property
+    def changes(self) -> Float[np.ndarray, "press face sensor 3"]:
+        """Return the change of every channel under force, counts."""
+        return press_changes(self.table.counts, self.force_n, self.press)
 
     def none(self) -> Bool[np.ndarray, "frame"]:
         """Return a mask of no frame."""

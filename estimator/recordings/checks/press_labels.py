@@ -87,9 +87,10 @@ def doubtful_presses(case: Judged) -> Rows:
     if unequal_jaws(case)[1]:  # which face is pressed cannot be told then
         return doubtful, faults
     weak: dict[Place, list[Contrast]] = {}
+    loads = loads_of_places(case)
     for contrast in contrasts(case, pressed_faces(case)):
         by_model = contrast.is_usual
-        if is_repeated(case, contrast, loads_of_places(case)) if by_model is None else by_model:
+        if is_repeated(case, contrast, loads) if by_model is None else by_model:
             weak.setdefault(contrast.place, []).append(contrast)
             continue
         frames = np.flatnonzero(case.press == contrast.press)

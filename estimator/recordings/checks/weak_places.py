@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.recordings.checks.faults import Fault, face_sizes, press_changes
+from estimator.recordings.checks.faults import Fault, face_sizes
 from estimator.recordings.checks.judged import Judged
 from estimator.recordings.checks.place_labels import chords
 from estimator.recordings.contacts import Place, contact_place, place_text
@@ -122,8 +122,7 @@ def _answer_of_model(case: Judged, contrast: Contrast) -> ModelAnswer | None:
     others = case.mechanics.signal_changes(on_other, places_mm, every_n)
     likelier: Place = ()
     if others is not None and len(others):
-        frames = np.flatnonzero(case.press == contrast.press)
-        change = press_changes(case.table.counts[frames], case.force_n[frames], 0 * frames)[0]
+        change = case.changes[contrast.press]
         in_its_stead = answers[~is_named].sum(axis=0) + _live_answers(case, others)
         hypotheses = np.concatenate([[answers.sum(axis=0)], in_its_stead])
         is_shared = np.isfinite(hypotheses[0])
@@ -210,8 +209,7 @@ def is_repeated(case: Judged, contrast: Contrast, loads: list[Load]) -> bool:
         if number != contrast.press
         and _place_of(case, np.flatnonzero(case.press == number)) == contrast.place
     ]
-    changes = press_changes(case.table.counts, case.force_n, case.press)
-    pattern = _unit(changes.reshape(len(changes), -1))
+    pattern = _unit(case.changes.reshape(len(case.changes), -1))
     is_alike = chords(pattern[contrast.press], pattern[repeats]) < _ALIKE_CHORD
     is_unlike = chords(pattern[contrast.press], pattern[list(rivals)]) > _UNLIKE_CHORD
     per_newton = case.responses[contrast.press, contrast.stronger - 1] / newton

@@ -45,9 +45,9 @@ def write_outcome(
         write_specification(
             layout.spec, f"{space.spec.name}_finalist_{place}", written[-1], spec_folder
         )
-    best = best_known(space.spec.search, promotion).spec
-    about = best_in_words(space.spec.search, promotion)
-    written.append(write_best(best, about, space.spec.name, folder, spec_folder))
+    search = space.spec.search
+    best_spec, about = best_known(search, promotion).spec, best_in_words(search, promotion)
+    written.append(write_best(best_spec, about, space.spec.name, folder, spec_folder))
     written.append(folder / RESULTS)
     write_json(_results(promotion), written[-1])
     history = search_history(space, kept)

@@ -146,7 +146,7 @@ def nothing_seen(frames):
 def test_evidence_of_a_magnet_is_that_of_normal_densities():
     """Densities by scipy: the mean over the shells, over that without a magnet, but for a constant."""
     seen, sets, counts, covariance = nothing_seen(4)
-    shells = inverted().magnet_columns
+    shells = inverted().lookalike_columns
     beside = BesideMagnet(seen, shells).log_evidence(inverted().search, sets.problems)
     expected = []
     for frame, plain in zip(counts, covariance, strict=True):
@@ -191,5 +191,5 @@ def test_fewer_readings_than_a_magnet_has_unknowns_tell_nothing_of_one():
     counts[:, 9:] = np.nan
     frames, search = inverted().disturbances.observed(counts), inverted().search
     fit = most_probable(search.model, search.priors, frames, np.arange(FRAMES), face, contact)
-    beside = BesideMagnet(frames, inverted().magnet_columns)
+    beside = BesideMagnet(frames, inverted().lookalike_columns)
     assert not beside.explains_with_fewer(search, search.judged(fit)).any()

@@ -299,7 +299,7 @@ def test_a_magnet_that_comes_near_moves_no_zero():
     rng = np.random.default_rng(40)
     none = np.full((40, 6), -1), np.zeros((40, 6, 3))
     counts = noisy_counts(inverted(), *none, rng, turned=False)
-    counts[20:] += inverted().magnet_columns[1] @ rng.standard_normal(15)
+    counts[20:] += inverted().lookalike_columns[1] @ rng.standard_normal(15)
     reader = LiveContacts(inverted())
     found = [reader.feed(row.reshape(5, 3, 3), k / 5) for k, row in enumerate(counts)]
     assert not any(one.explained[0] for one in found[22:])
