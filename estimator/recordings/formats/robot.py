@@ -173,9 +173,15 @@ def write_lerobot(recording: Path | str, folder: Path | str) -> None:
 def _numbers_of(path: Path) -> tuple[list[str], list[int], list[list[float]]]:
     """Return names, stamps (ns) and rows (NaN: none) of a generic CSV or of what robots wrote."""
     if is_robot_file(path):
-        content = robot_csv(path).decode()
+        raw = robot_csv(path)
     else:
-        content = require_regular_file(path, f"no recording at {path}").read_text()
+        raw = require_regular_file(path, f"no recording at {path}").read_bytes()
+    try:
+        content = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(
+            f"{path} is no text in UTF-8. Give a generic CSV (`instobj docs recordings`)"
+        ) from None
     lines = [line for line in content.splitlines() if line.strip()]
     mark = _MISSING.fullmatch(lines[0]) if lines else None
     header, *cells = csv.reader(lines[bool(mark) :] or [""])

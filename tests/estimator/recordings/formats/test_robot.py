@@ -125,6 +125,17 @@ def lerobot(folder, features, counts):
     parquet.write_table(pyarrow.table(columns), target)
 
 
+@pytest.mark.parametrize("write", [write_bag, write_lerobot])
+def test_a_binary_file_becomes_no_bag_with_one_error(tmp_path, write):
+    """A data set of `run --to frames` ended in a traceback, and a byte-order mark hid the first column."""
+    (tmp_path / "frames.nc").write_bytes(b"\x89HDF\r\n\x1a\n")
+    with pytest.raises(InputError, match=r"frames\.nc is no text in UTF-8.*Give a generic CSV"):
+        write(tmp_path / "frames.nc", tmp_path / "made")
+    (tmp_path / "marked.csv").write_bytes(b"\xef\xbb\xbftime_s,F1-X1\n0.5,1\n1.25,-7\n")
+    write(tmp_path / "marked.csv", tmp_path / "made")
+    assert (tmp_path / "made").is_dir()
+
+
 def test_a_lerobot_data_set_is_read_by_the_names_of_its_feature(tmp_path):
     counts = np.random.default_rng(0).integers(-3000, 3000, (40, 2))
     features = lerobot_features(["F2-X1", "F2-Z3"])
