@@ -73,13 +73,13 @@ def test_columns_that_fit_two_kinds_of_log_are_asked_for():
 
 
 def test_stamps_in_seconds_and_nanoseconds_are_one_time_by_values_and_by_names():
-    """As ROS 2 exports them; 40 rows a second, so that seconds alone stand still."""
+    """Stamps that ROS 2 exports; 40 rows a second, so that seconds alone stand still."""
     rows = np.arange(len(LOG.labels))
     stamps = [1_718_000_000 + rows // 40, rows % 40 * 25_000_000]
     by_values = tell_columns(table([*stamps, LOG.columns()]))
     names = [f"{axis}{chip}" for chip in range(1, 16) for axis in "XYZ"]
-    known = ("stamp.sec", "stamp.nanosec", "Face", "Pos", "Level", *names)
-    for log in (by_values, tell_columns(table([*stamps, LOG.columns()], known))):
+    stamp_words = ("stamp.sec", "stamp.nanosec", "Face", "Pos", "Level", *names)
+    for log in (by_values, tell_columns(table([*stamps, LOG.columns()], stamp_words))):
         assert log.time_s is not None
         np.testing.assert_allclose(log.time_s - log.time_s[0], rows / 40, atol=1e-6)
         np.testing.assert_array_equal(np.hstack([log.face, log.place, log.label]), LOG.labels)

@@ -124,12 +124,12 @@ def test_numbers_without_labels_tell_which_chips_answer_and_are_silent(tmp_path)
     counts = log.counts.copy()
     counts[:100, 13] = 0
     bare = write(tmp_path / "bare.csv", counts.reshape(len(counts), -1))
-    found = identify([bare], Known())
-    texts = {one.question: one for _, one in found.findings}
+    identified = identify([bare], Known())
+    texts = {one.question: one for _, one in identified.findings}
     assert texts["chips that answer"].answer == "chips 1-3, 10-12"
     assert (texts["chips that answer"].p or 1) < 0.02
     assert texts["silent chips"].answer == "chips 14, rows 0-99"
-    assert (found.chips_of_face, found.orders) == ({}, {})
+    assert (identified.chips_of_face, identified.orders) == ({}, {})
     with pytest.raises(RecordingError, match="one object"):
         identify([bare, write(tmp_path / "log.csv", log.columns())], Known(label="level"))
 

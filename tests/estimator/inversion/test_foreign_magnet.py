@@ -56,7 +56,7 @@ def test_a_magnet_is_no_contact(reader):
 
 
 def test_columns_of_a_slip_are_what_shifted_and_turned_magnets_add():
-    """By magpylib: the shell's magnets move against the chips, the other way than the core."""
+    """Oracle: magpylib, where the shell's magnets move against the chips, the other way than the core."""
     shift_mm, turn_rad = np.array([0.06, -0.03, 0.02]), np.array([0.002, 0.003, -0.0025])
     centre, back = magnet_layout(SPEC).centre_mm, Rotation.from_rotvec(-turn_rad)
     motion = np.zeros((2, len(centre), 6))

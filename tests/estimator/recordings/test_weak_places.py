@@ -22,12 +22,14 @@ def gains():
     and face 3 by 12 in another pattern than its own presses show.
     """
     rng = np.random.default_rng(3)
-    own = np.zeros((5, 25, 5, 3, 3))
-    own[np.arange(5), :, np.arange(5)] = 60 * rng.choice([-1, 1], (5, 25, 3, 3))
-    own[0] /= 3
-    own[0, -1] = 0
-    own[0, -1, 0], own[0, -1, 2] = 3 * rng.choice([-1, 1], (2, 3, 3)) * [[[1]], [[4]]]
-    return own
+    own_answers = np.zeros((5, 25, 5, 3, 3))
+    own_answers[np.arange(5), :, np.arange(5)] = 60 * rng.choice([-1, 1], (5, 25, 3, 3))
+    own_answers[0] /= 3
+    own_answers[0, -1] = 0
+    own_answers[0, -1, 0], own_answers[0, -1, 2] = (
+        3 * rng.choice([-1, 1], (2, 3, 3)) * [[[1]], [[4]]]
+    )
+    return own_answers
 
 
 GAINS = gains()
@@ -124,9 +126,9 @@ def test_a_face_that_hardly_answers_at_a_weak_place_is_no_silent_one_by_the_mode
     presses = [(place, place) for place in (WEAK, FIRM, FIRM, FIRM, SIDE)]
     alone = recorded(tmp_path, presses, by_place=STRONG)
     assert len(texts(alone, "force without signal")) == 1
-    known = model(by_place=STRONG)
-    assert all(used(recorded(tmp_path, presses, known, by_place=STRONG)))
-    unplugged = recorded(tmp_path, presses, known, by_place=STRONG, silent_press=2)
+    mechanics = model(by_place=STRONG)
+    assert all(used(recorded(tmp_path, presses, mechanics, by_place=STRONG)))
+    unplugged = recorded(tmp_path, presses, mechanics, by_place=STRONG, silent_press=2)
     assert used(unplugged) == [True, True, False, True, True]
     (text,) = texts(unplugged, "force without signal")
     assert text.startswith(f"force without signal: rows {2 * PRESS}–")

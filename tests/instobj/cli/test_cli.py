@@ -132,8 +132,8 @@ def test_two_specifications_of_one_name_are_refused(tmp_path):
 def test_bad_recordings_end_with_one_clear_error(tmp_path, name):
     if name in BAD_DATA:
         (tmp_path / name).write_text(BAD_DATA[name])
-    there = "" if name in BAD_DATA else "no recording at"
-    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name, there)
+    reason = "" if name in BAD_DATA else "no recording at"
+    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name, reason)
     assert not list(tmp_path.glob("runs/**/*.nc"))
 
 

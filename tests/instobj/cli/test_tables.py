@@ -133,7 +133,7 @@ def test_the_title_of_a_split_table_is_printed_once(monkeypatch, capsys, of_netw
 
 
 def test_a_turned_table_is_headed_by_the_values_of_its_first_column(printed):
-    """As of contacts: `tips a face` was headed 1: 1, 2: 1, 3: 1."""
+    """Contacts' `tips a face` was headed 1: 1, 2: 1, 3: 1."""
     figures = [f"figure of the {name} %" for name in ("first", "second", "third", "fourth")]
     figures += [f"{name} in 90 % interval" for name in ("force", "place", "turn")]
     rows = [
@@ -147,7 +147,7 @@ def test_a_turned_table_is_headed_by_the_values_of_its_first_column(printed):
 
 
 def test_a_single_row_whose_names_do_not_fit_a_line_is_a_list(printed):
-    """As of predictions: headings stood in lines of one or two words."""
+    """Headings of predictions stood in lines of one or two words."""
     names = ("frames", "frames that lack a reading", "frames before a zero", "largest force N")
     row = dict.fromkeys((*names, "force interval held"), 7)
     assert printed([row]) == [[*name.split(), "7"] for name in row]

@@ -137,8 +137,8 @@ def test_a_twin_adds_presses_to_those_labelled_by_travel(bench):
     tiny += ["training.trees=0", "training.process=false"]
     sets = [f"--set={setting}" for setting in tiny]
     twin = ["--twin", "cube.toml"]
-    found = done("train", "runs/travel/frames.nc", *twin, *sets, "--json", cwd=bench)
-    tables = found["objects"][0]["summary"]
+    trained = done("train", "runs/travel/frames.nc", *twin, *sets, "--json", cwd=bench)
+    tables = trained["objects"][0]["summary"]
     ((row,),) = (rows for title, rows in tables.items() if title.startswith("labels of travel"))
     told = load_frames(bench / "runs/travel/frames.nc")
     spread_mm = float(np.std(told.travel_mm[told.contact_face[:, 0] > 0]))
@@ -157,11 +157,11 @@ def test_validation_takes_travel_for_what_it_is(bench):
 
 
 def test_the_self_test_reads_the_rest_of_presses_labelled_by_travel(bench):
-    found = [
+    self_tests = [
         run("bench", "selftest", "cube.toml", f"{name}.csv", "--json", cwd=bench)
         for name in ("travel", "force")
     ]
-    by_travel, by_force = (json.loads(test.stdout)["frames"] for test in found)
+    by_travel, by_force = (json.loads(test.stdout)["frames"] for test in self_tests)
     assert by_travel == pytest.approx(by_force, rel=0.1)
 
 
@@ -196,9 +196,9 @@ def test_the_mechanics_of_a_specification_say_what_its_sensors_answer(bench):
     faces, sensors = len(signals.faces), len(signals.baseline_counts) // len(signals.faces)
     forces_n = np.array([signals.force_n[0, node, 1], 2 * signals.force_n[0, node, -1]])
     places_mm = np.tile(signals.lattice.xy_mm[node], (2, 1))
-    found = mechanics.signal_changes(np.full(2, signals.faces[0]), places_mm, forces_n)
+    changes = mechanics.signal_changes(np.full(2, signals.faces[0]), places_mm, forces_n)
     expected = signals.delta_counts[0, node, [1, -1]].reshape(2, faces, sensors, 3)
-    np.testing.assert_allclose(found[:, signals.faces - 1], expected, atol=1e-6)
+    np.testing.assert_allclose(changes[:, signals.faces - 1], expected, atol=1e-6)
     assert mechanics.places_mm(int(signals.faces[0])).tolist() == signals.lattice.xy_mm.tolist()
     assert mechanics.signal_changes(np.ones(1, int), np.full((1, 2), 99.0), forces_n[:1]) is None
 

@@ -78,9 +78,9 @@ def test_a_pair_says_nothing_new_where_half_of_it_is_enough():
 )
 def test_every_limit_counts(figures, ratio):
     start = row((), bound_mm=9.0, force_n=99.0, margin=-9.0)
-    found = remedies(SPEC, [start, row(("a",), **figures)])
-    assert not found[0].turns
-    assert found[0].ratio == pytest.approx(ratio)
+    ranked = remedies(SPEC, [start, row(("a",), **figures)])
+    assert not ranked[0].turns
+    assert ranked[0].ratio == pytest.approx(ratio)
 
 
 def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
@@ -107,14 +107,14 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
 
 
 def test_a_set_that_comes_nearer_is_named_beside_the_change_that_helps_most():
-    """Of a cylinder two more sensors left 2.58 times the limit; with four frames each it was 1.78."""
+    """Two more sensors left a cylinder at 2.58 times the limit; with four frames each it was 1.78."""
     rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0), row(("a", "b"), 2.5)]
-    told = decision(remedies(SPEC, rows), go=False)
+    text = decision(remedies(SPEC, rows), go=False)
     assert (
         "alone: b (no more magnets or sensors); the worst figure is then still 1.5 times its limit"
-        in told
+        in text
     )
-    assert "(1.25 times with a and b)" in told
+    assert "(1.25 times with a and b)" in text
 
 
 def test_a_figure_just_above_its_limit_is_told_as_above_it():

@@ -49,28 +49,28 @@ def test_a_column_that_is_nearly_right_is_named_with_what_was_meant(tmp_path, ol
     ],
 )
 def test_a_time_of_another_name_or_unit_is_asked_for_in_seconds(tmp_path, name, unit):
-    told = message(tmp_path, TEXT.replace("time_s", name))
-    assert told.startswith(f"column {name!r} is not known: did you mean time_s ({unit})? `instobj")
+    text = message(tmp_path, TEXT.replace("time_s", name))
+    assert text.startswith(f"column {name!r} is not known: did you mean time_s ({unit})? `instobj")
 
 
 def test_all_columns_that_are_nearly_right_are_named_at_once(tmp_path):
     header = HEADER.replace("time_s", "time [s]").replace("force_n", "force [N]")
-    told = message(tmp_path, TEXT.replace(HEADER, header.replace("rest", "resting")))
-    assert told.startswith(
+    text = message(tmp_path, TEXT.replace(HEADER, header.replace("rest", "resting")))
+    assert text.startswith(
         "2 columns are not known: did you mean time_s for 'time [s]', cell1_force_n for 'cell1_force "
         "[N]'? Not known either: 'resting'; `instobj docs"
     )
     grams = (
         HEADER.replace("force_n", "force (g)").replace("F1-X1", "F1_X1").replace("F1-Y1", "F1_Y1")
     )
-    told = message(tmp_path, TEXT.replace(HEADER, grams))
-    assert "F1-X1 for 'F1_X1', F1-Y1 for 'F1_Y1', cell1_force_g for 'cell1_force (g)'? `i" in told
-    assert "lacks" not in told
+    text = message(tmp_path, TEXT.replace(HEADER, grams))
+    assert "F1-X1 for 'F1_X1', F1-Y1 for 'F1_Y1', cell1_force_g for 'cell1_force (g)'? `i" in text
+    assert "lacks" not in text
 
 
 def test_an_own_file_whose_time_is_named_as_the_grippers_says_how_to_name_it(tmp_path):
-    told = message(tmp_path, TEXT.replace("time_s", "Time"))
-    assert told.startswith(
+    text = message(tmp_path, TEXT.replace("time_s", "Time"))
+    assert text.startswith(
         "its first column 'Time' means the public gripper format, and it lacks the columns Left, "
         "Right-blue. In a file of your own name it time_s (seconds); `instobj docs"
     )

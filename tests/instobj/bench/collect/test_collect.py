@@ -341,10 +341,10 @@ def test_a_replay_of_presses_labelled_by_travel_has_no_damaged_line(tmp_path, co
     rows = ["time_s,F1-X1,F1-Y1,F1-Z1,cell1_face,cell1_x1_mm,cell1_y1_mm,travel_mm"]
     rows += [f"{k / 10},{k % 7},{k % 5},{k},1,0,0,{k / 20}" for k in range(40)]
     (tmp_path / "travel.csv").write_text("\n".join(rows) + "\n")
-    found = collected(
+    document = collected(
         replay=tmp_path / "travel.csv", speed=0.0, zero_frames=5, places=("1:0,0=1mm",)
     )
-    assert (found["damaged_lines"], found["frames_added"]) == (0, 5)
+    assert (document["damaged_lines"], document["frames_added"]) == (0, 5)
 
 
 def test_a_recording_is_not_replayed_into_itself(tmp_path, collected):
