@@ -10,6 +10,7 @@ import signal
 import sys
 import threading
 import warnings
+from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -60,8 +61,14 @@ All commands: instobj --help. What one does: instobj COMMAND --help."""
 
 
 @app.callback(invoke_without_command=True)
-def first_session(context: typer.Context) -> None:
+def first_session(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False,
+) -> None:
     """Design, simulate and calibrate instrumented objects that feel how they are grasped."""
+    if version:
+        typer.echo(f"instobj {metadata.version('instobj')}")
+        raise typer.Exit
     if context.invoked_subcommand is None:
         typer.echo(FIRST_SESSION)
 

@@ -5,6 +5,7 @@ Measured over run lengths, seeds and tasks by `benchmarks/search_engines.py`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import isfinite, prod
 
@@ -23,23 +24,29 @@ START_SHARE = 0.5
 the start, where others follow."""
 
 
-def merge_restarts(space: SearchSpace, at_once: int) -> SearchSpace:
+def merge_restarts(
+    space: SearchSpace, at_once: int, kept_generations: Sequence[int] = ()
+) -> SearchSpace:
     """The search with its `trials` joined to fewer of up to 600 generations, as many in all or a little
     fewer.
 
     A run may take as long as the trials that it stands for. Trials that are scored `at_once` stay as many,
-    so does one for each combination of choices.
+    so does one for each combination of choices. Of a search that goes on, each kept trial counts by its
+    generations: a run that time had cut short leaves more to come.
     Untouched: several objectives, whose front has a layout of each trial; trials without generations.
     """
-    search = space.spec.search
-    if not search.polish_steps or len(search.objectives) > 1:
+    search, kept = space.spec.search, len(kept_generations)
+    if not search.polish_steps or len(search.objectives) > 1 or kept >= search.trials:
         return space
+    missing = search.trials - sum(kept_generations) // search.polish_steps
+    if missing <= 0:
+        return _changed_space(space, trials=kept)
     combinations = prod(len(v.choices) for v in space.variables if v.choices)
     fewest = max(combinations, at_once)
-    times = max(1, min(_LONGEST // search.polish_steps, search.trials // fewest))
+    times = max(1, min(_LONGEST // search.polish_steps, missing // fewest))
     return _changed_space(
         space,
-        trials=search.trials // times,
+        trials=kept + missing // times,
         polish_steps=search.polish_steps * times,
     )
 
@@ -82,12 +89,13 @@ def plan_trial(
     return space, seconds
 
 
-def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:
-    """Return what becomes of the trials that are asked for, in words."""
+def describe_merge(requested: SearchSpec, merged: SearchSpec, kept: int = 0) -> str:
+    """Return what becomes of the trials that are asked for, in words; `kept` of them are there already."""
+    kept_text = f"the {kept} kept and " if kept else ""
     return (
-        f"instead of {requested.trials} trials of {requested.polish_steps} generations up to "
-        f"{merged.trials} longer ones of up to {merged.polish_steps}, which usually finds more; each is as "
-        "long as the time of this call holds"
+        f"instead of {requested.trials} trials of {requested.polish_steps} generations {kept_text}up to "
+        f"{merged.trials - kept} longer ones of up to {merged.polish_steps}, which usually finds more; each "
+        "is as long as the time of this call holds"
     )
 
 

@@ -231,11 +231,12 @@ def _search(
     keep_best: Callable[[], str],
 ) -> None:
     requested, content = space.spec.search, space.spec.model_dump_json()
-    space = merge_restarts(space, layouts_at_once(requested, workers.count))
+    kept_generations = [trial.generations for trial in kept.trials]
+    space = merge_restarts(space, layouts_at_once(requested, workers.count), kept_generations)
     if len(kept.trials) >= space.spec.search.trials:
         return
     if space.spec.search.trials < requested.trials:
-        progress.say(describe_merge(requested, space.spec.search))
+        progress.say(describe_merge(requested, space.spec.search, len(kept.trials)))
     for variant in searched_size_variants(space.spec):
         Run(variant, progress, checked=False).require("candidates")
     first = start_params(space)

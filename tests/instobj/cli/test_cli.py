@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -273,6 +274,10 @@ def shown_options(command):
 
 MOST_OPTIONS = 130
 """Options of all commands, at most: a new one takes the place of another."""
+
+
+def test_the_version_is_that_of_the_package(tmp_path):
+    assert run("--version", cwd=tmp_path).stdout.split() == ["instobj", version("instobj")]
 
 
 def test_the_commands_gain_no_option():

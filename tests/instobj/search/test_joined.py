@@ -44,6 +44,22 @@ def test_generations_are_spent_in_runs_of_up_to_600(trials, steps, became):
 
 
 @pytest.mark.parametrize(
+    ("trials", "kept", "became"),
+    [
+        (36, [480], (2, 240)),  # 12 of 20 are missing
+        (24, [480], (1, 20)),  # nothing is
+        (24, [200], (2, 280)),  # time had cut the run: the rest comes
+        (60, [600, 300], (3, 300)),
+        (60, [0, 0, 0], (5, 600)),  # trials that failed had none
+        (1, [5], (1, 20)),  # no more trials wanted
+    ],
+)
+def test_a_search_that_goes_on_adds_the_generations_that_are_missing(trials, kept, became):
+    asked = space_of(trials=trials, polish_steps=20, vary=LENGTHS)
+    assert runs(merge_restarts(asked, 1, kept)) == became
+
+
+@pytest.mark.parametrize(
     ("search", "at_once", "became"),
     [
         ({"trials": 24}, 1, (12, 600)),
