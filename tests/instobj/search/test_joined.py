@@ -1,5 +1,7 @@
 """Trials that are joined to fewer and longer runs: as many generations, never fewer runs than needed."""
 
+from typing import Any
+
 import pytest
 
 from design.search.space import search_space
@@ -9,7 +11,7 @@ from instobj.search.loop import layouts_at_once
 from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
 
-def space_of(**search):
+def space_of(**search: Any):
     """Two counts of magnets and two thicknesses unless `vary` says otherwise."""
     return search_space(made_up_spec(**({"polish_steps": 300} | search)))
 
