@@ -13,7 +13,8 @@ from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
 def space_of(**search: Any):
     """Two counts of magnets and two thicknesses unless `vary` says otherwise."""
-    return search_space(made_up_spec(**({"polish_steps": 300} | search)))
+    settings: dict[str, Any] = {"polish_steps": 300} | search
+    return search_space(made_up_spec(**settings))
 
 
 def runs(space):
