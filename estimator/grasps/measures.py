@@ -31,6 +31,7 @@ from estimator.grasps.damage import (
     patch_radius_mm,
 )
 from estimator.grasps.holding import (
+    common_onset_s,
     contact_slip,
     creep_per_decade,
     loading_rate_n_per_s,
@@ -295,12 +296,16 @@ def _sigma_of_mean(values: Float[np.ndarray, "frame"], sigma: Float[np.ndarray, 
 def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict[str, float]:
     """Figures of the course of the force and of the contacts."""
     total, time_s = held.total_n, held.time_s
-    slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
+    centres = [_steady_centre_mm(held, face) for face in faces]
+    slips = [contact_slip(time_s, centre) for centre in centres]
     # noise moves every centre: what did not slip has gone no way
     ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
     # of the farthest slip: the earliest of several noisy onsets would be too early
     farthest = max((s for s in slips if s.slipped), key=lambda s: s.distance_mm, default=None)
-    onset = UNKNOWN if farthest is None else farthest.onset_s
+    sliding = [centre for slip, centre in zip(slips, centres, strict=True) if slip.slipped]
+    onset = common_onset_s(time_s, sliding)
+    if np.isnan(onset) and farthest is not None:
+        onset = farthest.onset_s
     return {
         "loading_n_per_s": loading_rate_n_per_s(closing.time_s, closing.total_n),
         "hold_s": float(time_s[-1] - time_s[0]),
