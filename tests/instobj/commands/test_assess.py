@@ -248,6 +248,20 @@ def test_a_boards_recording_without_presses_on_load_cells_is_read(bench, cells):
     assert cells == any("load cells and labels are not used" in text for text in document["texts"])
 
 
+def test_a_recording_that_still_grows_is_read_as_far_as_it_goes(bench):
+    """Frames are written line by line: at first one grasp is over, then a second is held."""
+    _, counts = handled(GENTLE_N[:2], 3)
+    quiet = np.random.default_rng(4).normal(0, 15, (40, counts.shape[1]))
+    path = bench / "growing.csv"
+    raw_csv(path, np.concatenate([quiet, counts]))
+    lines = path.read_text().splitlines(keepends=True)
+    for grasps, rows in ((1, 41 + len(FORCE)), (2, 41 + len(FORCE) + 12)):
+        path.write_text("".join(lines[:rows]))
+        done = run("assess", path, "--model", "model", "--json", cwd=bench)
+        table = json.loads(done.stdout)["tables"]["grasps"]
+        assert [row["grasp"] for row in table] == list(range(1, grasps + 1))
+
+
 @pytest.mark.parametrize("cells", [False, True])
 def test_jolts_of_an_imu_stand_beside_their_grasps(bench, cells):
     """The second grasp is hit by 30 m/s² in its hold."""
