@@ -135,8 +135,8 @@ def common_onset_s(
 ) -> float:
     """Onset of one slip of several faces' centres: an object that slips out of jaws moves against all.
 
-    It is that of `contact_slip`, fitted to all of them at once, each as exact as it is steady; NaN where
-    slips of their own explain the centres far better, or no two of them slipped.
+    The slip of `contact_slip` is fitted to all of them at once, each as exact as it is steady. NaN where
+    slips of their own explain the centres far better, or where fewer than two are given.
     """
     if len(centres_mm) < 2:
         return float("nan")

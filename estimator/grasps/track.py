@@ -141,9 +141,9 @@ def variance_of_mean(
     mean of what the scatter leaves possible, a sample variance of few degrees of freedom.
     """
     count, fresh = len(values), np.nan_to_num(fresh_variance(values))
-    seen = np.divide(fresh, variance, out=np.zeros_like(fresh), where=variance > 0)[..., None]
+    ratio = np.divide(fresh, variance, out=np.zeros_like(fresh), where=variance > 0)[..., None]
     freedom = _EFFICIENCY * (count - 1)
-    log_odds = -freedom / 2 * (np.log(_SHARES) + seen / _SHARES)
+    log_odds = -freedom / 2 * (np.log(_SHARES) + ratio / _SHARES)
     odds = np.exp(log_odds - log_odds.max(axis=-1, keepdims=True))
     # values that never change: nothing is new
     share = np.where(fresh > 0, odds @ _SHARES / odds.sum(axis=-1), 0.0)

@@ -128,8 +128,8 @@ def test_the_page_plays_what_the_object_felt(ranked):
     """Contacts of every grasp on the skin: their normal forces add up to the peak that the table says."""
     _, folder = ranked
     page = (folder / "assess.html").read_text(encoding="utf-8")
-    packed = re.search(r'id="grasps">([^<]+)<', page)
-    content, arrays = unpack(base64.b64decode(packed[1]))
+    (packed,) = re.findall(r'id="grasps">([^<]+)<', page)
+    content, arrays = unpack(base64.b64decode(packed))
     with (folder / "grasps.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert len(content["grasps"]) == len(rows)
