@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
+from scipy.stats import chi2
 
 from estimator.grasps.track import fresh_variance
 
@@ -21,6 +23,8 @@ _BEGINS, _LASTS, _FINE = 200, 28, 8
 """Beginnings and durations of slips that are tried, and beginnings a frame about the best."""
 _SHORTEST = 1 / 16
 """Frames that a slip lasts at least: a jump, wherever between two frames."""
+_TOGETHER = float(chi2.ppf(0.99, 2))
+"""Misfit, in variances, that slips of one onset and one duration may leave above slips of two each."""
 _STRAIGHT_MM = 0.05
 """Least deviation of a frame from a straight slip: estimators read places along a slip no better."""
 _AGREE, _WIDEST = 2.0, 25
@@ -117,7 +121,7 @@ def contact_slip(
     time_s, centre_mm = time_s[present], centre_mm[present]
     if len(centre_mm) < 2 * _REFERENCE_FRAMES:
         return Slip(float("nan"), float("nan"))
-    variance = max(float(fresh_variance(centre_mm).mean()), _STRAIGHT_MM**2)
+    variance = _variance_mm2(centre_mm)
     onset_s, gain, way = _best_slip(time_s, centre_mm, variance)
     distance = float(np.linalg.norm(way))
     moved = (centre_mm - np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)) @ way
@@ -126,9 +130,33 @@ def contact_slip(
     return Slip(onset_s if slipped else float("nan"), distance)
 
 
+def common_onset_s(
+    time_s: Float[np.ndarray, "frame"], centres_mm: Sequence[Float[np.ndarray, "frame 2"]]
+) -> float:
+    """Onset of one slip of several faces' centres: an object that slips out of jaws moves against all.
+
+    The slip of `contact_slip` is fitted to all of them at once, each as exact as it is steady. NaN where
+    slips of their own explain the centres far better, or where fewer than two are given.
+    """
+    if len(centres_mm) < 2:
+        return float("nan")
+    present = np.isfinite(np.concatenate(centres_mm, axis=1)).all(axis=1)
+    time_s = time_s[present]
+    if len(time_s) < 2 * _REFERENCE_FRAMES:
+        return float("nan")
+    steady = [centre[present] / np.sqrt(_variance_mm2(centre[present])) for centre in centres_mm]
+    apart = sum(_best_slip(time_s, centre, 1.0)[1] for centre in steady)
+    onset_s, gain, _ = _best_slip(time_s, np.concatenate(steady, axis=1), 1.0)
+    return onset_s if apart - gain < _TOGETHER else float("nan")
+
+
+def _variance_mm2(centre_mm: Float[np.ndarray, "frame 2"]) -> float:
+    return max(float(fresh_variance(centre_mm).mean()), _STRAIGHT_MM**2)
+
+
 def _best_slip(
-    time_s: Float[np.ndarray, "frame"], centre_mm: Float[np.ndarray, "frame 2"], variance: float
-) -> tuple[float, float, Float[np.ndarray, "2"]]:
+    time_s: Float[np.ndarray, "frame"], centre_mm: Float[np.ndarray, "frame k"], variance: float
+) -> tuple[float, float, Float[np.ndarray, "k"]]:
     """Onset, misfit taken away (mm²) and way of the best straight slip.
 
     The onset is the mean of the beginnings, each weighed by the likelihood of its best duration. A jump
@@ -153,10 +181,10 @@ def _best_slip(
 
 def _gains(
     time_s: Float[np.ndarray, "frame"],
-    centre_mm: Float[np.ndarray, "frame 2"],
+    centre_mm: Float[np.ndarray, "frame k"],
     begins: Float[np.ndarray, "begin"],
     lasts: Float[np.ndarray, "last"],
-) -> tuple[Float[np.ndarray, "begin last"], Float[np.ndarray, "begin last 2"]]:
+) -> tuple[Float[np.ndarray, "begin last"], Float[np.ndarray, "begin last k"]]:
     """Misfit that slips of many beginnings and durations (in frames) take away, and their ways."""
     frame = np.arange(len(time_s))
     share = np.clip((frame - begins[:, None, None]) / lasts[:, None], 0.0, 1.0)

@@ -15,6 +15,7 @@ from design.body.surface_chart import FaceFrame
 from estimator.frames.dataset import NO_FACE
 from estimator.grasps.balance import (
     asymmetry,
+    drawn_in_balance,
     equilibrium_misfit,
     equilibrium_p,
     grasp_axis,
@@ -30,6 +31,7 @@ from estimator.grasps.damage import (
     patch_radius_mm,
 )
 from estimator.grasps.holding import (
+    common_onset_s,
     contact_slip,
     creep_per_decade,
     loading_rate_n_per_s,
@@ -37,7 +39,7 @@ from estimator.grasps.holding import (
     unsteadiness,
 )
 from estimator.grasps.phases import Grasp, find_grasps
-from estimator.grasps.track import ContactTrack, Placed, fresh_variance, placed_contacts
+from estimator.grasps.track import ContactTrack, Placed, placed_contacts, variance_of_mean
 from estimator.grasps.wrench_space import (
     closing_friction,
     contact_wrenches,
@@ -136,12 +138,12 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     typical = placed_contacts(mean, 0, conditions.faces)
     wrench, covariance = net_wrench(typical), wrench_covariance(typical, conditions.friction)
     faces = _face_forces(part, hold)
-    damage, places = _damage(top, at_peak, conditions, rng)
     start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
     jolt, down = UNKNOWN, np.full(3, np.nan)
     if conditions.motion is not None:
         jolt = conditions.motion.jolt_between(start_s, end_s)
         down = conditions.motion.down_between(float(held.time_s[0]), float(held.time_s[-1]))
+    damage, places = _damage(top, at_peak, conditions, down, rng)
     readings = {
         "peak_n": _spread(float(part.total_n[window].mean()), float(top.total_sigma_n[0])),
         "mean_n": _spread(float(held.total_n.mean()), float(mean.total_sigma_n[0])),
@@ -288,19 +290,22 @@ def _face_forces(part: ContactTrack, hold: slice) -> dict[int, tuple[Reading, Re
 
 def _sigma_of_mean(values: Float[np.ndarray, "frame"], sigma: Float[np.ndarray, "frame"]) -> float:
     """Standard deviation of a mean: as `ContactTrack.averaged`, of a sum over contacts."""
-    variance, fresh, count = float(np.mean(sigma**2)), float(fresh_variance(values)), len(values)
-    return float(np.sqrt(min(max(variance - (1 - 1 / count) * fresh, fresh / count), variance)))
+    return float(np.sqrt(variance_of_mean(np.asarray(np.mean(sigma**2)), values)))
 
 
 def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict[str, float]:
     """Figures of the course of the force and of the contacts."""
     total, time_s = held.total_n, held.time_s
-    slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
+    centres = [_steady_centre_mm(held, face) for face in faces]
+    slips = [contact_slip(time_s, centre) for centre in centres]
     # noise moves every centre: what did not slip has gone no way
     ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
     # of the farthest slip: the earliest of several noisy onsets would be too early
     farthest = max((s for s in slips if s.slipped), key=lambda s: s.distance_mm, default=None)
-    onset = UNKNOWN if farthest is None else farthest.onset_s
+    sliding = [centre for slip, centre in zip(slips, centres, strict=True) if slip.slipped]
+    onset = common_onset_s(time_s, sliding)
+    if np.isnan(onset) and farthest is not None:
+        onset = farthest.onset_s
     return {
         "loading_n_per_s": loading_rate_n_per_s(closing.time_s, closing.total_n),
         "hold_s": float(time_s[-1] - time_s[0]),
@@ -326,6 +331,7 @@ def _damage(
     top: ContactTrack,
     at_peak: Placed,
     conditions: Conditions,
+    down: Float[np.ndarray, "3"],
     rng: np.random.Generator,
 ) -> tuple[dict[str, Reading], list[dict[str, float | int]]]:
     slots = np.flatnonzero(np.isin(top.face[0], list(conditions.faces))).tolist()
@@ -335,7 +341,11 @@ def _damage(
         for row in zip(*(column.tolist() for column in columns), strict=True)
     ]
     readings: dict[str, Reading] = {}
-    forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])
+    drawn, held = _draws(at_peak, rng), (conditions.friction, conditions.weight_n, down)
+    numbers = rng.standard_normal((len(drawn) // 2, 3))
+    pairs = np.concatenate([np.zeros((1, 3)), numbers, -numbers])
+    balanced = drawn_in_balance(at_peak, drawn, pairs, *held)
+    forces = np.array([contacts.force_n[:, 2] for contacts in balanced])
     for limit in conditions.limits:
         whole, each = damage_probability(limit, forces, conditions.tip_radius_mm)
         # the mean is the chance; where a few draws carry it, it lies beyond the ends and becomes one

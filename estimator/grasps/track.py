@@ -16,6 +16,12 @@ from estimator.networks.prediction import Prediction
 
 NORMAL_MAD = 1.4826
 """Standard deviation over median absolute deviation of a normal error."""
+_EFFICIENCY = 0.37 * 2 / 3
+"""Degrees of freedom that a difference of successive frames adds to their variance: a median absolute
+deviation has 0.37 of the efficiency of a root mean square (Rousseeuw & Croux, J. Am. Stat. Assoc. 88, 1993),
+differences have 2/3 of that of deviations (von Neumann, Ann. Math. Stat. 12, 1941)."""
+_SHARES = (np.arange(64) + 0.5) / 64
+"""Shares of an error that may be new in every frame, over which is summed."""
 _PRESSED = 0.5
 """Probability of a contact above which a network's frame counts as pressed."""
 
@@ -57,15 +63,12 @@ class ContactTrack:
     def averaged(self, frames: Int[np.ndarray, "some"]) -> ContactTrack:
         """Mean of frames with the same contacts, as one frame.
 
-        Of the variances of a frame, what is new in each of n frames falls to 1/n: that share is seen in
-        successive differences. The rest lasts.
+        Of the variances of a frame, what is new in each of n frames falls to 1/n, and the rest lasts.
         """
         values = np.concatenate([self.xy_mm, self.force_n], axis=2)[frames]
         covariance = self.covariance[frames].mean(axis=0)
         variance = np.diagonal(covariance, axis1=1, axis2=2)
-        fresh, count = np.nan_to_num(fresh_variance(values)), len(frames)
-        lasting = np.maximum(variance - (1 - 1 / count) * fresh, fresh / count)
-        lasting = np.minimum(lasting, variance)
+        lasting = variance_of_mean(variance, values)
         # correlations between coordinates stay, only their deviations shrink
         ratio = np.sqrt(
             np.divide(lasting, variance, out=np.ones_like(variance), where=variance > 0)
@@ -126,6 +129,26 @@ def fresh_variance(values: Float[np.ndarray, "frame *any"]) -> Float[np.ndarray,
     scatter = NORMAL_MAD * np.median(abs(steps - np.median(steps, axis=0)), axis=0)
     # of one column NumPy gives a scalar, which callers would not take for an array
     return np.asarray(scatter**2 / 2)
+
+
+def variance_of_mean(
+    variance: Float[np.ndarray, "*any"], values: Float[np.ndarray, "frame *any"]
+) -> Float[np.ndarray, "*any"]:
+    """Variance of the mean of frames whose errors have a `variance` each, part of it new in every frame.
+
+    The new part is some share of it, of 0 to 1, any of them as likely before. A few frames show it badly:
+    where they scatter by chance as much as a frame's whole error, nothing would seem to last. So it is the
+    mean of what the scatter leaves possible, a sample variance of few degrees of freedom.
+    """
+    count, fresh = len(values), np.nan_to_num(fresh_variance(values))
+    ratio = np.divide(fresh, variance, out=np.zeros_like(fresh), where=variance > 0)[..., None]
+    freedom = _EFFICIENCY * (count - 1)
+    log_odds = -freedom / 2 * (np.log(_SHARES) + ratio / _SHARES)
+    odds = np.exp(log_odds - log_odds.max(axis=-1, keepdims=True))
+    # values that never change: nothing is new
+    share = np.where(fresh > 0, odds @ _SHARES / odds.sum(axis=-1), 0.0)
+    lasting = np.maximum(variance * (1 - (1 - 1 / count) * share), fresh / count)
+    return np.asarray(np.minimum(lasting, variance))
 
 
 def track_of_sets(

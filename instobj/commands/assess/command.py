@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -32,6 +33,7 @@ from instobj.commands.assess.groups import (
     whole_document,
     write_csv,
 )
+from instobj.commands.assess.played import grasps_scene
 from instobj.commands.assess.sentences import sentences, verdict_text, warnings_of
 from instobj.commands.assess.tracks import (
     ReadRecording,
@@ -114,7 +116,7 @@ def assess(options: AssessOptions) -> dict[str, Any]:
             f"{', '.join(map(str, options.paths))}: the estimator reads less than a touch of two jaws. "
             "Check that the recording is of this object and that it begins at rest (--zero)"
         )
-    document = _document(options, protocol, conditions, groups)
+    document = _document(options, spec, protocol, conditions, groups)
     if mcap is None:
         return document
     _show_tracks(mcap, spec, groups)
@@ -164,7 +166,11 @@ def _measured(read: ReadRecording, conditions: Conditions, protocol: Protocol) -
 
 
 def _document(
-    options: AssessOptions, protocol: Protocol, conditions: Conditions, groups: list[Group]
+    options: AssessOptions,
+    spec: ObjectSpec,
+    protocol: Protocol,
+    conditions: Conditions,
+    groups: list[Group],
 ) -> dict[str, Any]:
     limits = [f"damage_{limit.name}" for limit in conditions.limits]
     names = [*protocol.measures, *limits]
@@ -224,6 +230,7 @@ def _document(
             "assess.html.j2",
             document=document,
             figure=figure,
+            scene=base64.b64encode(grasps_scene(spec, trusted)).decode() if trusted else None,
             definitions=_definitions(names, conditions),
         ),
     ]

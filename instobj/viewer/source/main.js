@@ -1,5 +1,6 @@
 // What a page starts once it is painted, and what a notebook's widget renders.
 import { bytesOf, readArchive } from "./archive.js";
+import { mountGrasps } from "./grasps.js";
 import { mountLayouts } from "./layouts.js";
 import { linkViews } from "./linked.js";
 import { mountObject } from "./viewer.js";
@@ -7,7 +8,7 @@ import { startExplore } from "./explore.js";
 import "./live.js";
 
 const SHOWN = "instobj objects shown";
-const KINDS = { object: mountObject, layouts: mountLayouts };
+const KINDS = { object: mountObject, layouts: mountLayouts, grasps: mountGrasps };
 
 async function mount(host, packed) {
   try {

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from estimator.grasps.balance import (
     asymmetry,
+    drawn_in_balance,
     equilibrium_misfit,
     equilibrium_p,
     grasp_axis,
@@ -15,6 +16,7 @@ from estimator.grasps.balance import (
     side_forces_n,
     wrench_covariance,
 )
+from estimator.grasps.damage import DamageLimit, damage_probability
 from tests.estimator.grasps.grasps_by_hand import HALF_MM, placed
 
 
@@ -105,3 +107,53 @@ def test_sides_and_asymmetry():
 
 def test_one_jaw_alone_is_wholly_asymmetric():
     assert asymmetry(placed([3], [[0, 0]], [4]), np.array([1.0, 0, 0])) == -1
+
+
+FRUIT = DamageLimit("fruit", "force_n", 7.2, 0.15, "made up")
+UNKNOWN_WAY = np.full(3, np.nan)
+
+
+def said_and_true(rng, sigma_n, pull_n, weight_n, balanced):
+    """Chance that a grasp damages the fruit as read, and with the forces as they are."""
+    half = pull_n / 2
+    squeeze_n = rng.uniform(5.5, 9)
+    true = np.array([squeeze_n + half, squeeze_n - half])
+    read = placed([3, 5], [[0, 0], [0, 0]], true + sigma_n * rng.standard_normal(2), sigma=sigma_n)
+    numbers = rng.standard_normal((2, 40, 3))
+    drawn = read.drawn(np.pad(numbers[0, :, :2, None], ((0, 0), (0, 0), (4, 0))), np.zeros(40))
+    if balanced:
+        drawn = drawn_in_balance(read, drawn, numbers[1], 0.5, weight_n, UNKNOWN_WAY)
+    chance, _ = damage_probability(FRUIT, np.array([one.force_n[:, 2] for one in drawn]), 5.0)
+    return chance.mean(), float(FRUIT.probability(true.max(keepdims=True))[0])
+
+
+@pytest.mark.parametrize(("pull_n", "weight_n"), [(0.0, 0.0), (1.5, 2.0)])
+def test_chances_of_damage_by_forces_that_balance_come_true(pull_n, weight_n):
+    """By each jaw alone they are too high: the larger of two noisy forces is taken, and drawn about again."""
+    excess = {}
+    for balanced in (False, True):
+        rng = np.random.default_rng(7)
+        rows = [said_and_true(rng, 0.5, pull_n, weight_n, balanced) for _ in range(500)]
+        excess[balanced] = np.mean([said - true for said, true in rows])
+    assert abs(excess[True]) < 0.025
+    if not weight_n:
+        assert excess[False] > 0.08
+
+
+def test_a_sum_that_does_not_balance_moves_no_contact():
+    rng = np.random.default_rng(8)
+    one_side = placed([3, 3], [[4, 0], [-4, 0]], [6.0, 5.0], sigma=0.3)
+    numbers = rng.standard_normal((40, 2, 5))
+    drawn = one_side.drawn(numbers, np.zeros(40))
+    corrected = drawn_in_balance(
+        one_side, drawn, rng.standard_normal((40, 3)), 0.5, 0.0, UNKNOWN_WAY
+    )
+    before, after = (np.array([one.force_n[:, 2] for one in some]) for some in (drawn, corrected))
+    assert_allclose(after.mean(axis=0), before.mean(axis=0), atol=0.03)
+    assert_allclose(after.std(axis=0), before.std(axis=0), rtol=0.05)
+
+
+def test_exact_forces_stay_as_they_are():
+    exact = placed([3, 5], [[0, 0], [0, 0]], [6.0, 5.0])
+    (draw,) = drawn_in_balance(exact, [exact], np.zeros((1, 3)), 0.5, 0.0, UNKNOWN_WAY)
+    assert draw.force_n[:, 2].tolist() == [6.0, 5.0]

@@ -5,6 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.grasps.holding import (
+    common_onset_s,
     contact_slip,
     creep_per_decade,
     loading_rate_n_per_s,
@@ -59,6 +60,25 @@ def test_slips_that_end_are_timed_to_half_a_frame():
         assert slip.distance_mm == pytest.approx(moved[-2], abs=0.3)
         late.append(abs(slip.onset_s - onset))
     assert np.mean(np.array(late) <= 0.05) >= 0.9
+
+
+def test_faces_that_slide_together_are_timed_better_than_one_of_them():
+    rng, alone, together = np.random.default_rng(4), [], []
+    for _ in range(150):
+        onset, speed, way = rng.uniform(2, 4), np.exp(rng.uniform(2.3, 3.7)), rng.uniform(1, 3)
+        moved = np.clip(speed * (TIME_S - onset), 0, way)[:, None] * [0.6, 0.8]
+        faces = [moved + 0.2 * rng.standard_normal((60, 2)) for _ in range(2)]
+        alone.append(contact_slip(TIME_S, faces[0]).onset_s - onset)
+        together.append(common_onset_s(TIME_S, faces) - onset)
+    assert np.mean(np.isfinite(together)) > 0.97
+    assert np.nanstd(together) < 0.85 * np.nanstd(alone)
+
+
+def test_faces_that_slide_one_after_the_other_have_no_common_onset():
+    faces = [sliding(2.0, 6.0), sliding(4.0, 6.0, seed=1)]
+    assert np.isnan(common_onset_s(TIME_S, faces))
+    assert np.isnan(common_onset_s(TIME_S, faces[:1]))
+    assert np.isnan(common_onset_s(TIME_S[:4], [face[:4] for face in faces]))
 
 
 def test_a_contact_that_stays_does_not_slip():

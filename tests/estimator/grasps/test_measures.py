@@ -126,6 +126,20 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
         assert count / 40 >= 0.78, name  # 90 % within 2.5 standard errors
 
 
+def test_a_few_frames_that_scatter_much_by_chance_leave_what_lasts_uncertain():
+    """Of twelve frames whose errors last by half, the mean errs as far as it says: seldom much farther."""
+    rng, misses = np.random.default_rng(9), []
+    held = squeeze(10.0, sigma_n=0.5).select(np.arange(20, 32))
+    for _ in range(1500):
+        force = held.force_n.copy()
+        lasting, fresh = rng.standard_normal(2), rng.standard_normal((12, 2))
+        force[..., 2] += np.sqrt(0.5) * 0.5 * (lasting + fresh)
+        mean = replace(held, force_n=force).averaged(np.arange(12))
+        misses.append((mean.normal_n[0] - 10.0) / np.sqrt(mean.covariance[0, :, 4, 4]))
+    assert np.mean(np.square(misses)) == pytest.approx(1.0, abs=0.25)
+    assert np.mean(np.abs(misses) > 3) < 0.01
+
+
 def test_every_figure_lies_within_its_own_interval():
     """Drawn grasps with tangential forces: ratios and lengths of noisy vectors are skew."""
     rng = np.random.default_rng(8)

@@ -1,5 +1,6 @@
 """`instobj assess`: from recordings to a ranking, a page and one clear error for what cannot be read."""
 
+import base64
 import csv
 import json
 import re
@@ -18,6 +19,8 @@ from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
 from instobj.commands.assess.command import conditions_of
 from instobj.commands.assess.tracks import unexplained_share
+from instobj.viewer.archive import unpack
+from tests.support.browser import Browser, chromium
 from tests.support.cli import run
 from tests.support.mechanics.inverted import SPEC, inverted
 from tests.support.recordings.handled import FORCE, handled
@@ -121,6 +124,40 @@ def test_page_figure_and_document_are_written_and_agree(ranked):
     assert whole["texts"] == document["texts"]
 
 
+def test_the_page_plays_what_the_object_felt(ranked):
+    """Contacts of every grasp on the skin: their normal forces add up to the peak that the table says."""
+    _, folder = ranked
+    page = (folder / "assess.html").read_text(encoding="utf-8")
+    (packed,) = re.findall(r'id="grasps">([^<]+)<', page)
+    content, arrays = unpack(base64.b64decode(packed))
+    with (folder / "grasps.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(content["grasps"]) == len(rows)
+    for grasp, row in zip(content["grasps"], rows, strict=True):
+        assert grasp["name"] == f"{row['group']}, day1.nc, grasp {row['grasp']}"
+        at = grasp["frames"][0] + grasp["peak"]
+        some = slice(*arrays["first"][at : at + 2])
+        normal_n = -np.sum(arrays["pull_n"][some] * arrays["normal"][some], axis=1)
+        assert normal_n.sum() == pytest.approx(float(row["peak_n"]), rel=0.15)
+        off_mm = np.abs(arrays["point_mm"][some]).max(axis=1) - max(SPEC.body.size_mm) / 2
+        assert np.all(np.abs(off_mm) < 0.1)
+
+
+@pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
+def test_a_grasp_is_chosen_and_played_in_a_browser(ranked):
+    _, folder = ranked
+    with Browser(1000, 700) as browser:
+        browser.open(folder / "assess.html", "document.querySelector('.viewer')?.dataset.ready")
+        felt = "document.querySelector('[data-name=felt]').textContent"
+        assert "2 contacts" in browser.ask(felt)
+        browser.ask("document.querySelector('[data-name=play]').click()")
+        browser.wait(f"!{felt}.startsWith('0.00 s')")
+        chosen = "const one = document.querySelector('[data-name=grasp]'); one.value = '7'"
+        browser.ask(f"(() => {{ {chosen}; one.dispatchEvent(new Event('change')); }})()")
+        assert browser.ask(felt).startswith("0.00 s")
+        assert not browser.problems()
+
+
 def test_what_cannot_be_said_is_said(ranked):
     texts = " ".join(ranked[0]["texts"])
     assert "The weight is not given" in texts
@@ -209,6 +246,20 @@ def test_a_boards_recording_without_presses_on_load_cells_is_read(bench, cells):
     assert [row["grasp"] for row in document["tables"]["grasps"]] == [1, 2]
     assert any("few grasps (2)" in text for text in document["texts"])
     assert cells == any("load cells and labels are not used" in text for text in document["texts"])
+
+
+def test_a_recording_that_still_grows_is_read_as_far_as_it_goes(bench):
+    """Frames are written line by line: at first one grasp is over, then a second is held."""
+    _, counts = handled(GENTLE_N[:2], 3)
+    quiet = np.random.default_rng(4).normal(0, 15, (40, counts.shape[1]))
+    path = bench / "growing.csv"
+    raw_csv(path, np.concatenate([quiet, counts]))
+    lines = path.read_text().splitlines(keepends=True)
+    for grasps, rows in ((1, 41 + len(FORCE)), (2, 41 + len(FORCE) + 12)):
+        path.write_text("".join(lines[:rows]))
+        done = run("assess", path, "--model", "model", "--json", cwd=bench)
+        table = json.loads(done.stdout)["tables"]["grasps"]
+        assert [row["grasp"] for row in table] == list(range(1, grasps + 1))
 
 
 @pytest.mark.parametrize("cells", [False, True])
