@@ -40,8 +40,8 @@ BRIEF = 2
 """Rounds of walks where layouts are compared that are not taken."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
-_WORTH = 0.1
-"""Gain that more magnets must bring, in logarithms, to be taken."""
+_WORTH = 0.2
+"""Gain that more magnets must bring over a brief search with fewer, in logarithms, to be taken."""
 _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
 _TRIED = 4
@@ -63,14 +63,14 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     start = min(_starts(request, placed), key=itemgetter(0), default=None)
     if start is None:
         return
-    few, least = improved(start[1])
+    few, least = improved(start[1], BRIEF)
     if request.magnets is None and first_score(spec_of(few)).within < 1:
         more, loss = _with_more_magnets(request, few)
         if loss < least - _WORTH:
             yield more
-    yield few
+    yield improved(few, begin=BRIEF)[0]
     # nearer to the start, where that cannot be made
-    yield improved(start[1], BRIEF)[0]
+    yield few
     yield start[1]
 
 
@@ -122,8 +122,12 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
             return
 
 
-def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[Tables, float]:
+def improved(
+    tables: Tables, rounds: int = len(ROUNDS), seed: int = 0, begin: int = 0
+) -> tuple[Tables, float]:
     """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
+
+    Rounds run from `begin` up to `rounds`: a layout that had the first two goes on from there.
 
     They stay as they are where nothing better passes `check`, and are worth nothing (infinity) where they
     break a limit and two rounds of walks do not mend it. As many layouts are scored on every machine, so
@@ -133,7 +137,7 @@ def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[
     if level is None:
         return tables, np.inf
     best, worth, placed = level.point, float(level.losses(level.point)[0]), tables
-    for number in range(rounds):
+    for number in range(begin, rounds):
         points = level.walked(best, number, seed)
         for _ in range(_TRIED):
             losses = level.losses(points)
