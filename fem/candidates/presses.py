@@ -237,7 +237,9 @@ def _record(
             (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
             all_rows = [*rows[:under], rows_of([rows[under], strained[under]]), *rows[under + 1 :]]
             loads = tractions[:, own_loads] @ patterns.T
-            moved = _moved(system, factor, loads, all_rows, [shape_of(own)[0] for own in rows])
+            moved = _moved(
+                system, factor, loads, all_rows, [shape_of(face_rows)[0] for face_rows in rows]
+            )
             moved[under], strain = np.split(moved[under], [shape_of(rows[under])[0]])
             solved = strain.shape[1]
             motion, of_patterns = compressed(np.concatenate(moved).reshape(-1, 6, solved))
@@ -292,10 +294,10 @@ def _moved(
         if not active:
             break
     solved = max(sum(chunk.shape[1] for chunk in of_face) for of_face in chunks)
-    moved = [np.zeros((shape_of(own)[0], solved), np.float32) for own in rows]
+    moved = [np.zeros((shape_of(face_rows)[0], solved), np.float32) for face_rows in rows]
     for of_face, values in zip(chunks, moved, strict=True):
-        known = np.hstack(of_face)
-        values[:, : known.shape[1]] = known
+        first_columns = np.hstack(of_face)
+        values[:, : first_columns.shape[1]] = first_columns
     return moved
 
 
