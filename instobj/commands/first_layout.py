@@ -40,8 +40,8 @@ BRIEF = 2
 """Rounds of walks where layouts are compared that are not taken."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
-_WORTH = 0.2
-"""Gain that more magnets must bring over a brief search with fewer, in logarithms, to be taken."""
+_WORTH = 0.1
+"""Gain that more magnets must bring, in logarithms, to be taken."""
 _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
 _TRIED = 4
@@ -63,14 +63,15 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     start = min(_starts(request, placed), key=itemgetter(0), default=None)
     if start is None:
         return
-    few, least = improved(start[1], BRIEF)
+    brief = improved(start[1], BRIEF)[0]
+    few, least = improved(brief, begin=BRIEF)
     if request.magnets is None and first_score(spec_of(few)).within < 1:
         more, loss = _with_more_magnets(request, few)
         if loss < least - _WORTH:
             yield more
-    yield improved(few, begin=BRIEF)[0]
-    # nearer to the start, where that cannot be made
     yield few
+    # nearer to the start, where that cannot be made
+    yield brief
     yield start[1]
 
 
