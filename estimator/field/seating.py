@@ -26,6 +26,7 @@ from design.errors import InputError
 from design.layout.places.positions import magnet_layout, shell_body_layout
 from design.layout.pockets import shell_pockets
 from design.spec.assembly import AsBuiltSpec
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
 from estimator.field.forces import loads_by_each
 
@@ -62,6 +63,7 @@ class Seats:
         return MARGIN * self.pull_n / self.hold_n
 
 
+@cached_geometry
 def seats(spec: ObjectSpec) -> Seats:
     """Return pull and hold of every magnet of the shell, as designed."""
     area = np.array([body.outline.area_mm2 for body in shell_body_layout(spec).bodies])
@@ -164,7 +166,7 @@ def all_stay(spec: ObjectSpec, **changes: Any) -> bool:
     a core are glued."""
     if spec.arrangement == "sensors-in-shell":
         return True
-    tried = spec.changed(magnets=spec.magnets.changed(**changes))
+    tried = spec.changed(magnets=spec.magnets.changed(**changes)) if changes else spec
     # beyond a curved patch there is no surface: fields of such places would never converge
     if not np.isfinite(magnet_layout(tried).centre_mm).all():
         return False

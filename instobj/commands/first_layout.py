@@ -63,14 +63,15 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     start = min(_starts(request, placed), key=itemgetter(0), default=None)
     if start is None:
         return
-    few, least = improved(start[1])
+    brief = improved(start[1], BRIEF)[0]
+    few, least = improved(brief, begin=BRIEF)
     if request.magnets is None and first_score(spec_of(few)).within < 1:
         more, loss = _with_more_magnets(request, few)
         if loss < least - _WORTH:
             yield more
     yield few
     # nearer to the start, where that cannot be made
-    yield improved(start[1], BRIEF)[0]
+    yield brief
     yield start[1]
 
 
@@ -122,8 +123,12 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
             return
 
 
-def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[Tables, float]:
+def improved(
+    tables: Tables, rounds: int = len(ROUNDS), seed: int = 0, begin: int = 0
+) -> tuple[Tables, float]:
     """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
+
+    Rounds run from `begin` up to `rounds`: a layout that had the first two goes on from there.
 
     They stay as they are where nothing better passes `check`, and are worth nothing (infinity) where they
     break a limit and two rounds of walks do not mend it. As many layouts are scored on every machine, so
@@ -133,7 +138,7 @@ def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[
     if level is None:
         return tables, np.inf
     best, worth, placed = level.point, float(level.losses(level.point)[0]), tables
-    for number in range(rounds):
+    for number in range(begin, rounds):
         points = level.walked(best, number, seed)
         for _ in range(_TRIED):
             losses = level.losses(points)

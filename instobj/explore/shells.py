@@ -7,12 +7,13 @@ from asyncio import Lock, Task, create_task, to_thread
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from instobj.explore.design import SHELL_TABLES
 from instobj.explore.engine import Explorer, open_explorer, open_shell
 from instobj.search.apart import WorkerProcess
-from instobj.stages.resources import search_seconds
+from instobj.stages.resources import require_memory, search_seconds
 from instobj.store.keys import content_key
 
 _MINUTE_S, _LONGEST_S = 60.0, 12 * 3600.0
@@ -53,7 +54,8 @@ class Shells:
         return f"{key} {'coarse' if self.by_key[key].coarse else 'full'}"
 
     async def open(self, design: ObjectSpec) -> None:
-        """Make the shell of a design ready: from the store, or else coarse, and begin to refine it.
+        """Make the shell of a design ready: from the store, or else coarse, and begin to refine it where
+        this machine has the memory.
 
         Raises
         ------
@@ -66,6 +68,11 @@ class Shells:
                 self.by_key[key] = await to_thread(open_shell, design)
         if self.by_key[key].coarse and self._refined != key and key not in self._trouble:
             self.close()
+            try:
+                require_memory("candidates", design)
+            except InputError as error:
+                self._trouble[key] = str(error)
+                return
             self._refined, self._worker = key, WorkerProcess(_mechanics, None)
             self._task = create_task(self._refine(key, design, self._worker))
 

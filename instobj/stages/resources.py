@@ -20,6 +20,7 @@ from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
 from estimator.networks.defaults import BATCH_FRAMES
+from fem.candidates.motions import candidate_lattices
 from fem.mesh.edge_lengths import FINE_LAYER_MM
 
 _GIB = 2.0**30
@@ -35,6 +36,9 @@ _LOADS_PER_CELL = 1.25
 _BYTES = 8
 _COPIES = 3
 """An array, what it is made from, and a copy on the way to its file."""
+_MODES_PER_LOAD, _NODES_OF_CANDIDATE = 0.5, 330
+"""Modes of a face's presses for each of its loads, and nodes that a candidate's motion is read from: the
+paper's cube has 330 modes of 656 loads."""
 _ADAM_COPIES = 4
 """Weights, gradients and two moments."""
 _LARGEST_SHARE = 0.9
@@ -133,6 +137,16 @@ def _response(spec: ObjectSpec) -> Need:
     return Need(factor + 2 * _BYTES * _face_loads(spec) ** 2 / _GIB, _MESH_KEYS)
 
 
+def _candidates(spec: ObjectSpec) -> Need:
+    faces, count = len(spec.body.sensed), sum(map(len, candidate_lattices(spec)))
+    modes = _MODES_PER_LOAD * _face_loads(spec) / faces
+    # six motions of single precision: of all faces' presses, and three copies of one face's
+    motions = _BYTES / 2 * 6 * count * modes * (faces + _COPIES)
+    # rows of six motions and five strains: values and columns
+    rows = _BYTES * 11 * count * _NODES_OF_CANDIDATE
+    return Need(_response(spec).gib + (motions + rows) / _GIB, _MESH_KEYS)
+
+
 def _face_loads(spec: ObjectSpec) -> float:
     area = sealed_volume_mm3(spec) / spec.shell.thickness_mm
     return _LOADS_PER_CELL * area / spec.mesh.surface_edge_mm**2
@@ -189,6 +203,7 @@ _MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (s
 _ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
     **dict.fromkeys(("mesh", "plain_mesh", "large_strain"), _mesh),
     **dict.fromkeys(("response", "plain_response", "second_fidelity"), _response),
+    "candidates": _candidates,
     **dict.fromkeys(("presses", "signals"), _signals),
     **dict.fromkeys(("collection", "pulled_collection"), _collection),
     "frames": _frames,

@@ -156,7 +156,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=12,
+        version=13,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",

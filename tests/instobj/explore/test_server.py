@@ -113,6 +113,23 @@ def test_another_shell_is_answered_coarse_at_once_and_said_to_be_refined(session
     assert "own mechanics is being computed" in told["refined"]
 
 
+def test_a_shell_that_needs_more_memory_than_there_is_stays_coarse_and_says_so(
+    session, monkeypatch
+):
+    monkeypatch.setenv("INSTOBJ_MEMORY_GIB", "3")
+    design = design_of(made_explorer().spec)
+    design["shell"] = {"thickness_mm": 10.0}
+    body = json.dumps({"design": design, "figure": "position", "force_n": 5.0})
+    (status, *_), (_, state, _) = ask(
+        session, ("POST", "/judge", {}, body), ("POST", "/state", {}, body)
+    )
+    told = json.loads(state)
+    assert status == 200
+    assert not told["refining"]
+    assert "needs about" in told["refined"]
+    assert "mesh.surface_edge_mm" in told["refined"]
+
+
 def test_a_shell_without_room_is_told_with_what_is_wrong(session):
     design = design_of(made_explorer().spec)
     design["silicone"] = {"name": "chewing gum"}

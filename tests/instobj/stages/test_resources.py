@@ -27,6 +27,7 @@ def spec_with(**parts):
     [
         ("response", {"mesh": {"surface_edge_mm": 0.2}}, "mesh.surface_edge_mm"),
         ("response", {"mesh": {"edge_mm": 0.3, "surface_edge_mm": 0.3}}, "mesh.edge_mm"),
+        ("candidates", {"mesh": {"surface_edge_mm": 0.2}}, "mesh.surface_edge_mm"),
         (
             "collection",
             {"collection": {"kind": "continuous", "presses": 10**8}},
