@@ -118,11 +118,11 @@ def test_a_press_that_leaves_the_patch_is_told():
     face, tip, at = (
         _half_space_face(Cap((20.0,) * 3)),
         tip_cells(SPEC.indenter),
-        np.array([11.0, 0]),
+        np.array([18.5, 0]),
     )
     spread = spread_cells(face, moved(tip.patches, at), at)
     with pytest.raises(InputError, match="leaves the patch of face 1"):
-        require_on_patch(tip, spread, 1.0)
+        require_on_patch(tip, spread, 3.0)
 
 
 @pytest.fixture(scope="module")
