@@ -268,12 +268,12 @@ def patch_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     middle = height[len(nodes[0]) // 2, len(nodes[1]) // 2]
     filled = _filled(height)
     spline = RectBivariateSpline(nodes[0], nodes[1], filled - middle, s=0)
-    extents, known = (
+    extents, reach_mm = (
         (part * float(nodes[0][-1]), part * float(nodes[1][-1])) for part in (share, touched)
     )
     centre = (top + middle) * normal
     return FaceFrame(
-        number, normal, x, y, centre, extents, SampledRelief(spline, known), round=True
+        number, normal, x, y, centre, extents, SampledRelief(spline, reach_mm), round=True
     )
 
 

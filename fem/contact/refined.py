@@ -345,8 +345,8 @@ def on_facets(
     _, near = tree.query(points_mm, min(_NEAR_FACETS, len(shares)))
     first = face.surface.points_mm[face.surface.triangles[near, 0]]
     # n point, k triangle near it, e of two edges, c coordinate
-    along = np.einsum("nkec,nkc->nke", shares[near], points_mm[:, None] - first)
-    share = np.concatenate([1 - along.sum(axis=2, keepdims=True), along], axis=2)
+    edge_share = np.einsum("nkec,nkc->nke", shares[near], points_mm[:, None] - first)
+    share = np.concatenate([1 - edge_share.sum(axis=2, keepdims=True), edge_share], axis=2)
     best = share.min(axis=2).argmax(axis=1)
     rows = np.arange(len(points_mm))
     share = share[rows, best].clip(min=0)

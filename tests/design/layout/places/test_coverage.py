@@ -73,7 +73,7 @@ def test_filled_places_lie_evenly_along_curved_surfaces(name, largest, variation
 
 
 def _are_gentle(spec):
-    """Which contact locations of each face lie where, with a tip and a pitch all round, the patch is below 60°."""
+    """Which contact locations of each face have a tip and a pitch all round within the patch."""
     reach = touched_reach_mm(spec) + spec.contact_grid.pitch_mm
     gentle = []
     for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
