@@ -34,6 +34,8 @@ AZIMUTHS = np.radians(np.linspace(-89, 89, 60))
 ELEVATIONS = np.radians(np.linspace(-86, 86, 58))
 """Grid of the pear's splines."""
 TOUCHING_MM = 0.1
+BORE_MM = 10.0
+"""Of the capsule, along it at +x; 12 mm away from a place it already takes 6 % of the force."""
 
 
 @dataclass(frozen=True)
@@ -168,7 +170,8 @@ def round_body(kind: str, x_mm: float) -> Body:
     def placed(part: Any) -> Any:
         return part.Move(occ.Vec(-straight, 0, 0)).Rotate(axis, degrees)
 
-    shell = capsule(radius) * half - capsule(radius - SHELL_MM)
+    bore = occ.Cylinder(point(length, 0, -radius), occ.X, BORE_MM / 2, 2 * radius)
+    shell = capsule(radius) * half - capsule(radius - SHELL_MM) - bore
     magnets = [placed(disc.Move(occ.Vec(x, 0, 0)) * half) for x in (0, 10, -10)]
     return Body(placed(shell), magnets, outside, core)
 

@@ -235,11 +235,12 @@ class FaceFrame:
             return covered
         half = np.where(self.ends, self.half_extents_mm, np.inf)
         xy = np.asarray(xy_mm, float)
-        within = np.isfinite(xy).all(axis=-1) & (abs(xy) <= half + 1e-9).all(axis=-1)
-        xy = np.where(within[..., None], xy, 0.0)
+        # where the body itself ends a tip may hang over; not finite is nowhere
+        within = np.all(np.isfinite(xy) & (abs(xy) <= half + 1e-9), axis=-1, keepdims=True)
+        xy = np.where(within, xy, 0.0)
         slope = self.relief.evaluate(xy)[1]
         # not a number where the relief is not known, which no slope exceeds
-        reached = within & (np.hypot(slope[..., 0], slope[..., 1]) <= STEEPEST_TOUCHED)
+        reached = within[..., 0] & (np.hypot(slope[..., 0], slope[..., 1]) <= STEEPEST_TOUCHED)
         if self.hole_mm:
             x, y, z = np.moveaxis(self.to_object(np.concatenate([xy, 0 * xy[..., :1]], -1)), -1, 0)
             reached &= (np.hypot(x, y) > self.hole_mm) | (z > 0)

@@ -153,7 +153,7 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
     if face.frame.flat:
         vertices, share = barycentric(face.triangulation, points[:, :2])
     else:
-        vertices, share = on_facets(face, points)
+        vertices, share = facet_shares(face, points)
     area = patches.area_mm2 / np.where(missed, 1, cosine)
     force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     rows, matrix = _narrowed(face, vertices, force)
@@ -335,7 +335,7 @@ def triangle_areas_mm2(surface: FaceSurface) -> Float[np.ndarray, "triangle"]:
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
-def on_facets(
+def facet_shares(
     face: RefinedFace, points_mm: Float[np.ndarray, "n 3"]
 ) -> tuple[Int[np.ndarray, "n 3"], Float[np.ndarray, "n 3"]]:
     """Vertices and weights of points of a curved face, in its own triangles: seen from above those of a
@@ -348,9 +348,9 @@ def on_facets(
     edge_share = np.einsum("nkec,nkc->nke", shares[near], points_mm[:, None] - first)
     share = np.concatenate([1 - edge_share.sum(axis=2, keepdims=True), edge_share], axis=2)
     best = share.min(axis=2).argmax(axis=1)
-    rows = np.arange(len(points_mm))
-    share = share[rows, best].clip(min=0)
-    return face.surface.triangles[near[rows, best]], share / share.sum(axis=1, keepdims=True)
+    share = np.take_along_axis(share, best[:, None, None], axis=1)[:, 0].clip(min=0)
+    triangle = np.take_along_axis(np.asarray(near), best[:, None], axis=1)[:, 0]
+    return face.surface.triangles[triangle], share / share.sum(axis=1, keepdims=True)
 
 
 def barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
