@@ -143,7 +143,9 @@ def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, A
     }
     if not better:
         return f"{text}; none of the changes tried makes them better"
-    halving = [remedy for remedy in better if better[remedy] <= _HALF * now]
+    # by the figures as shown, so that they do not contradict the sentence
+    shown = {remedy: float(f"{bound:.2g}") for remedy, bound in better.items()}
+    halving = [remedy for remedy in better if shown[remedy] <= _HALF * float(f"{now:.2g}")]
     cheapest = min(halving, key=lambda remedy: (remedy.price, remedy.minutes), default=None)
     best = cheapest or min(better, key=lambda remedy: better[remedy])
     effect = "Halved" if cheapest else "No change tried halves that; best"

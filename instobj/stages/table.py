@@ -293,10 +293,10 @@ STAGES: dict[str, Stage] = {
         ("response", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
-            "score.channels",
+            *("score", "limits.use", "tolerances", "silicone", "dents"),
         ),
         make_surroundings,
-        version=4,
+        version=5,
     ),
     "press_curves": Stage(
         "signals: curves of presses, compliance",
