@@ -293,7 +293,7 @@ STAGES: dict[str, Stage] = {
         ("response", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
-            *("score", "limits.use", "tolerances", "silicone", "dents"),
+            *("score.channels", "score.force_n", "dents", *_ELASTIC, *_NUISANCES),
         ),
         make_surroundings,
         version=5,
