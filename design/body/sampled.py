@@ -262,7 +262,9 @@ def patch_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     top = float(abs(normal) @ half)
     start = u[..., None] * x + v[..., None] * y + top * normal
     height = _traced(field, inward_mm, start.reshape(-1, 3), normal).reshape(u.shape)
-    share, touched = (_known_share(nodes, height, steep) for steep in (STEEPEST, STEEPEST_TOUCHED))
+    # tips touch the body's surface alone, not the core's
+    most = STEEPEST if inward_mm else STEEPEST_TOUCHED
+    share, touched = (_known_share(nodes, height, steepest) for steepest in (STEEPEST, most))
     if share < 0.2:
         raise _no_patch(number)
     middle = height[len(nodes[0]) // 2, len(nodes[1]) // 2]
