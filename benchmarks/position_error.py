@@ -4,9 +4,10 @@
 
 121 contact locations of the paper's cube: the 60 with the largest bounds, and others by chance. Noisy frames
 of presses there are read by the best of four fits that begin at the stored presses nearest to the frame
-(`tests/support/maximum_likelihood.py`). Own channels, fresh baseline; 8 N, 4 N, and two sensors per face.
-The mechanics come from the store, or are made first. Writes `position_error.json`: for locations of equal
-error over bound how far reading is off, in bounds and in errors, and how much of that the draws scatter.
+(`tests/support/maximum_likelihood.py`). Own channels, fresh baseline, standing still; 8 N, 4 N, and two
+sensors per face. The mechanics come from the store, or are made first. Writes `position_error.json`: for
+locations of equal error over bound how far reading is off, in bounds and in errors, and how much of that the
+draws scatter.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ _PLACES, _DRAWS, _FAR_MM = 121, 600, 10.0
 
 def measure(quick: bool) -> Result:
     """Rows for every case and group of locations; seconds of a whole object's errors and scores."""
-    spec = load_spec(EXAMPLES / ("gallery/small_cube.toml" if quick else "paper_cube.toml"))
+    example = "gallery/small_cube.toml" if quick else "paper_cube.toml"
+    spec = load_spec(EXAMPLES / example, ["score.channels=own", "limits.use=bench"])
     presses = Run(spec).read(PRESSES)
     draws, rows = 60 if quick else _DRAWS, []
     for name, changes in CASES.items():

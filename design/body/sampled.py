@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from design.body.surface_chart import STEEPEST, FaceFrame, face_axes
+from design.body.surface_chart import STEEPEST, STEEPEST_TOUCHED, FaceFrame, face_axes
 from design.errors import InputError
 
 if TYPE_CHECKING:
@@ -262,16 +262,20 @@ def patch_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     top = float(abs(normal) @ half)
     start = u[..., None] * x + v[..., None] * y + top * normal
     height = _traced(field, inward_mm, start.reshape(-1, 3), normal).reshape(u.shape)
-    share = _known_share(nodes, height)
+    # tips touch the body's surface alone, not the core's
+    most = STEEPEST if inward_mm else STEEPEST_TOUCHED
+    share, touched = (_known_share(nodes, height, steepest) for steepest in (STEEPEST, most))
     if share < 0.2:
         raise _no_patch(number)
     middle = height[len(nodes[0]) // 2, len(nodes[1]) // 2]
     filled = _filled(height)
     spline = RectBivariateSpline(nodes[0], nodes[1], filled - middle, s=0)
-    extents = (share * float(nodes[0][-1]), share * float(nodes[1][-1]))
+    extents, reach_mm = (
+        (part * float(nodes[0][-1]), part * float(nodes[1][-1])) for part in (share, touched)
+    )
     centre = (top + middle) * normal
     return FaceFrame(
-        number, normal, x, y, centre, extents, SampledRelief(spline, extents), round=True
+        number, normal, x, y, centre, extents, SampledRelief(spline, reach_mm), round=True
     )
 
 
@@ -304,10 +308,10 @@ def _traced(
     return np.where(travel > lowest, travel, np.nan)
 
 
-def _known_share(nodes: list[np.ndarray], height: np.ndarray) -> float:
-    """Largest share of the half extents within which heights are known and not too steep."""
+def _known_share(nodes: list[np.ndarray], height: np.ndarray, steepest: float) -> float:
+    """Largest share of the half extents within which heights are known and no steeper than that."""
     with np.errstate(invalid="ignore"):
-        steep = np.hypot(*np.gradient(height, *nodes)) > STEEPEST
+        steep = np.hypot(*np.gradient(height, *nodes)) > steepest
     u, v = np.meshgrid(*nodes, indexing="ij")
     radius = np.hypot(u / nodes[0][-1], v / nodes[1][-1])
     bad = ~np.isfinite(height) | steep

@@ -32,6 +32,8 @@ FACE_AXES = {
 
 STEEPEST = np.tan(np.deg2rad(60))
 """Slope up to which a patch of a curved surface reaches."""
+STEEPEST_TOUCHED = np.tan(np.deg2rad(75))
+"""Slope up to which a tip that lands on a patch may touch the surface round it."""
 
 _MAX_ITERATIONS = 60
 _CONVERGED_MM = 1e-10
@@ -74,7 +76,8 @@ class FaceFrame:
     """One sensed face: its number, orthonormal axes, centre, half extents (mm) and relief.
 
     The axes are those of the frame's plane, which touches the surface at the centre. A `round`
-    face is an ellipse of its half extents, else a rectangle.
+    face is an ellipse of its half extents, else a rectangle. `hole_mm` is the radius of the bore that
+    leaves the body downwards, 0 where there is none.
     """
 
     number: int
@@ -85,6 +88,7 @@ class FaceFrame:
     half_extents_mm: tuple[float, float]
     relief: Relief = field(default_factory=Cap)
     round: bool = False
+    hole_mm: float = 0.0
 
     @cached_property
     def flat(self) -> bool:
@@ -222,6 +226,25 @@ class FaceFrame:
         share = np.asarray(xy_mm) / np.asarray(self.half_extents_mm)
         size = np.sum(share**2, axis=-1) if self.round else np.max(abs(share), axis=-1)
         return np.asarray(size <= 1 + 1e-9)
+
+    def touched(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Bool[np.ndarray, "*n"]:
+        """Return whether tips that land on the face may touch the surface at places: on the face, and
+        round a curved patch up to a slope of 75°, but where the body ends or has its bore."""
+        covered = self.covers(xy_mm)
+        if self.flat:
+            return covered
+        half = np.where(self.ends, self.half_extents_mm, np.inf)
+        xy = np.asarray(xy_mm, float)
+        # where the body itself ends a tip may hang over; not finite is nowhere
+        within = np.all(np.isfinite(xy) & (abs(xy) <= half + 1e-9), axis=-1, keepdims=True)
+        xy = np.where(within, xy, 0.0)
+        slope = self.relief.evaluate(xy)[1]
+        # not a number where the relief is not known, which no slope exceeds
+        reached = within[..., 0] & (np.hypot(slope[..., 0], slope[..., 1]) <= STEEPEST_TOUCHED)
+        if self.hole_mm:
+            x, y, z = np.moveaxis(self.to_object(np.concatenate([xy, 0 * xy[..., :1]], -1)), -1, 0)
+            reached &= (np.hypot(x, y) > self.hole_mm) | (z > 0)
+        return covered | reached
 
     def tangent(self, xy_mm: Float[np.ndarray, "2"]) -> FaceFrame:
         """The flat face that touches this one at a place and calls the place (x, y) too."""

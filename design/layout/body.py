@@ -6,6 +6,7 @@ Object frame: origin at the middle of the body's box, face 1 outward = +z, 2 = â
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from design.body.kinds.registry import KINDS
@@ -37,7 +38,8 @@ def body_of(spec: ObjectSpec) -> BodyKind:
 def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
     """The sensed faces of the body, in the order of their numbers."""
     body = body_of(spec)
-    return tuple(body.frame(number) for number in spec.body.sensed)
+    hole = body.bore_mm / 2 if body.opening == "bore" else 0.0
+    return tuple(replace(body.frame(number), hole_mm=hole) for number in spec.body.sensed)
 
 
 def face_frame(spec: ObjectSpec, number: int) -> FaceFrame:

@@ -106,9 +106,9 @@ class JawFit:
 
 def jaw_tables(spec: ObjectSpec, response: ResponseOperator) -> tuple[JawTable, ...]:
     """Press a jaw on each flat rectangular face at all leans of the table; none on curved bodies."""
-    from fem.presses.jaws import jaw_faces
+    from fem.presses.jaws import coverable_faces, jaw_faces
 
-    flat = [frame.number for frame in face_frames(spec) if frame.flat and not frame.round]
+    flat = coverable_faces(spec)
     return tuple(map(_table, jaw_faces(spec, response, flat))) if flat else ()
 
 

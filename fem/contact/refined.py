@@ -25,7 +25,7 @@ from functools import cached_property
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float, Int
-from scipy.spatial import Delaunay
+from scipy.spatial import Delaunay, KDTree
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frame
@@ -39,6 +39,8 @@ from fem.linear.response import FaceSurface, ResponseOperator
 
 _FAR_MM = 1e3
 """Place of cells that miss the face, and of a border where the body goes on."""
+_NEAR_FACETS = 12
+"""Triangles of nearest centroids, of which one holds a point."""
 _BORDER_REACH_MM = 2.5
 """Cells this near to a border take a quarter-space's compliance."""
 
@@ -66,6 +68,16 @@ class RefinedFace:
         low = np.where(self.frame.ends, self.surface.xy_mm.min(axis=0), -_FAR_MM)
         high = np.where(self.frame.ends, self.surface.xy_mm.max(axis=0), _FAR_MM)
         return Border(low, high, self.frame.round)
+
+    @cached_property
+    def facets(self) -> tuple[KDTree, Float[np.ndarray, "triangle 2 3"]]:
+        """Centroids of a curved face's triangles, and what a vector from a triangle's first corner has of
+        the edges to the other two."""
+        corner = self.surface.points_mm[self.surface.triangles]
+        edges = corner[:, 1:] - corner[:, :1]
+        # rows of (E Eᵀ)⁻¹ E: shares of the edges E in a vector, by least squares off the triangle's plane
+        shares = np.linalg.solve(edges @ edges.transpose(0, 2, 1), edges)
+        return KDTree(corner.mean(axis=1)), shares
 
     @cached_property
     def narrowing_by_vertex(
@@ -137,7 +149,11 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
     """
     on_face, height, cosine = _project_onto_face(face.frame, patches.centre_mm, place_mm)
     missed = ~np.isfinite(height)
-    vertices, share = barycentric(face.triangulation, np.where(missed[:, None], 0, on_face)[:, :2])
+    points = np.where(missed[:, None], 0, on_face)
+    if face.frame.flat:
+        vertices, share = barycentric(face.triangulation, points[:, :2])
+    else:
+        vertices, share = facet_shares(face, points)
     area = patches.area_mm2 / np.where(missed, 1, cosine)
     force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     rows, matrix = _narrowed(face, vertices, force)
@@ -176,7 +192,7 @@ def _project_onto_face(
     tangent = frame.tangent(place_mm)
     points = tangent.to_object(flat)
     on_face = frame.project_along(points, tangent.normal)
-    on_face[~frame.covers(np.nan_to_num(on_face[:, :2], nan=np.inf))] = np.nan
+    on_face[~frame.touched(on_face[:, :2])] = np.nan
     height = (on_face - frame.plane_coordinates(points)) @ (tangent.normal @ frame.axes)
     return on_face, height, frame.axes_at(on_face[:, :2])[..., 2] @ tangent.normal
 
@@ -317,6 +333,24 @@ def triangle_areas_mm2(surface: FaceSurface) -> Float[np.ndarray, "triangle"]:
     """Areas of a face's triangles."""
     a, b, c = (surface.points_mm[surface.triangles[:, k]] for k in range(3))
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def facet_shares(
+    face: RefinedFace, points_mm: Float[np.ndarray, "n 3"]
+) -> tuple[Int[np.ndarray, "n 3"], Float[np.ndarray, "n 3"]]:
+    """Vertices and weights of points of a curved face, in its own triangles: seen from above those of a
+    steep part are slivers, and others would join vertices far apart. Beyond the border the nearest edge's.
+    """
+    tree, shares = face.facets
+    _, near = tree.query(points_mm, min(_NEAR_FACETS, len(shares)))
+    first = face.surface.points_mm[face.surface.triangles[near, 0]]
+    # n point, k triangle near it, e of two edges, c coordinate
+    edge_share = np.einsum("nkec,nkc->nke", shares[near], points_mm[:, None] - first)
+    share = np.concatenate([1 - edge_share.sum(axis=2, keepdims=True), edge_share], axis=2)
+    best = share.min(axis=2).argmax(axis=1)
+    share = np.take_along_axis(share, best[:, None, None], axis=1)[:, 0].clip(min=0)
+    triangle = np.take_along_axis(np.asarray(near), best[:, None], axis=1)[:, 0]
+    return face.surface.triangles[triangle], share / share.sum(axis=1, keepdims=True)
 
 
 def barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

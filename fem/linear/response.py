@@ -267,7 +267,7 @@ def face_facets(mesh: MeshTet, spec: ObjectSpec, frame: FaceFrame) -> Int[np.nda
     corner = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
     local = np.asarray(frame.from_object(corner))
     close = abs(local[..., 2]) < surface_tolerance_mm(spec)
-    return boundary[np.all(close & (frame.flat | frame.covers(local[..., :2])), axis=0)]
+    return boundary[np.all(close & (frame.flat | frame.touched(local[..., :2])), axis=0)]
 
 
 def face_surface(

@@ -79,7 +79,7 @@ def fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     below = np.full(len(points_mm), np.inf)
     for frame in face_frames(spec):
         local = frame.from_object(points_mm)
-        under = frame.flat | frame.covers(local[:, :2])
+        under = frame.flat | frame.touched(local[:, :2])
         below = np.minimum(below, np.where(under, -local[:, 2], np.inf))
     below = np.clip(below - FINE_LAYER_MM, 0, None) / (spec.shell.thickness_mm / 2)
     fine, coarse = spec.mesh.surface_edge_mm, spec.mesh.edge_mm

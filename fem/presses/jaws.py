@@ -14,6 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
+from design.layout.body import face_frames
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
@@ -48,6 +49,11 @@ class JawFace:
         (centre,) = centres_mm(bears, away, self.cells.tip, 1)
         motion = spread_motion(self.response, self.cells.spreads, pressure)
         return float(bears.sum()), centre, motion
+
+
+def coverable_faces(spec: ObjectSpec) -> list[int]:
+    """Return the sensed faces that a flat jaw covers: flat rectangles."""
+    return [frame.number for frame in face_frames(spec) if frame.flat and not frame.round]
 
 
 def jaw_faces(

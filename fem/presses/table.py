@@ -336,6 +336,7 @@ def require_on_patch(tip: TipCells, spread: Spread, depth_mm: float) -> None:
         half = frame.half_lengths_mm
         raise InputError(
             f"a press {depth_mm:g} mm deep leaves the patch of face {frame.number} (±"
-            f"{half[0]:.4g}, ±{half[1]:.4g} mm along the surface, up to 60° steep). "
-            "Press nearer to its centre or less deep, or use a smaller indenter"
+            f"{half[0]:.4g}, ±{half[1]:.4g} mm along the surface, up to 60° steep) and "
+            "touches where the surface is too steep. Press nearer to its centre or less deep, or use a "
+            "smaller indenter"
         )

@@ -92,6 +92,12 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
     }
     texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
+    if best.jaws.any():
+        texts.append(
+            f"{int(best.jaws.sum())} frames are read as flat jaws that cover whole faces. Of a jaw that is "
+            "smaller or hangs over a border force and centre are wrong, and the frame may not show it "
+            "(docs/measured/presses.md)"
+        )
     tables = {f"{path.name}, {model_path.name}": [summary]}
     files = [target] if mcap is None else [target, mcap]
     if judged:

@@ -20,9 +20,9 @@ from instobj.report.cells import shown
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import deformation_section
 from instobj.report.pages import write_page
-from instobj.report.remedies import remedies_section
+from instobj.report.remedies import edges_text, remedies_section
 from instobj.report.summary import cross_face_rows, part_rows
-from instobj.report.surroundings import surroundings_section
+from instobj.report.surroundings import GRASP_HEADER, grasp_rows, surroundings_section
 from instobj.report.uncertainty import (
     HEADER,
     bound_rows,
@@ -65,6 +65,9 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
     budget = readers.ROBUSTNESS.read(inputs["robustness"])
     verdict = judge(spec, scores, curves["saturation_margin"], budget.saturation)
     protocol = readers.PROTOCOL.read(inputs["frames"])
+    alternatives = readers.ALTERNATIVES.read(inputs["alternatives"])
+    edges = readers.WEAK_AREAS.read(inputs["weak_areas"])
+    surroundings = readers.SURROUNDINGS.read(inputs["surroundings"])
     write_page(
         path,
         "report.html.j2",
@@ -81,8 +84,11 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
             for check in verdict.checks
         ],
-        **remedies_section(spec, readers.ALTERNATIVES.read(inputs["alternatives"]), verdict.go),
-        surroundings=surroundings_section(readers.SURROUNDINGS.read(inputs["surroundings"])),
+        **remedies_section(spec, alternatives, verdict.go),
+        edge_text=edges_text(spec, edges, alternatives["alternatives"]),
+        surroundings=surroundings_section(surroundings),
+        grasp_header=GRASP_HEADER,
+        grasp_rows=grasp_rows(surroundings),
         press_curves=readers.PRESS_CURVES_PICTURE.path(inputs["press_curves"]),
         mechanics=_mechanics(spec, curves, inputs, protocol),
         compliance=readers.TIED_COMPLIANCE_MAP.path(inputs["press_curves"]),

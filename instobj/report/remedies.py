@@ -21,7 +21,7 @@ from instobj.report.verdict import (
     shown_against_limit,
     worst_ratio,
 )
-from instobj.report.weak_areas import edge_text
+from instobj.report.weak_areas import are_weak, edge_text
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
 
@@ -124,6 +124,34 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     }
 
 
+_HALF = 0.5
+"""Share of their bound that weak edges are to come down to."""
+
+
+def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, Any]]) -> str:
+    """Return whether edges are weak and, of weak ones, the cheapest change that halves their bound, else
+    the one that makes it smallest."""
+    text, (specified, *changed) = edge_text(content), rows
+    now = specified["edge_bound_mm"]
+    if not are_weak(content) or now is None or not isfinite(now):
+        return text
+    after = {_remedy(spec, specified, row): row["edge_bound_mm"] for row in changed}
+    better = {
+        remedy: bound
+        for remedy, bound in after.items()
+        if bound < now and remedy.unreached <= _MOST_UNREACHED
+    }
+    if not better:
+        return f"{text}; none of the changes tried makes them better"
+    # by the figures as shown, so that they do not contradict the sentence
+    shown = {remedy: float(f"{bound:.2g}") for remedy, bound in better.items()}
+    halving = [remedy for remedy in better if shown[remedy] <= _HALF * float(f"{now:.2g}")]
+    cheapest = min(halving, key=lambda remedy: (remedy.price, remedy.minutes), default=None)
+    best = cheapest or min(better, key=lambda remedy: better[remedy])
+    effect = "Halved" if cheapest else "No change tried halves that; best"
+    return f"{text}. {effect} by {_joined(best.changes)}: {better[best]:.2g} mm"
+
+
 DESIGN_STAGES = ("scores", "weak_areas", "press_curves")
 """Stages that a verdict by the design alone is read from."""
 
@@ -146,10 +174,11 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         ),
         "judged on": f"{verdict.covered:.0%} of the sensed surface; {built}",
         "limited by": verdict.limited_by,
-        "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
+        "edges": edge_text(edges := WEAK_AREAS.read(results["weak_areas"].folder)),
     }
     if "alternatives" in results:
         rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
+        lines["edges"] = edges_text(spec, edges, rows)
         lines["what to change"] = decision(remedies(spec, rows), verdict.go)
     return lines
 

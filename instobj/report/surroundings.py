@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+from math import isinf
 from typing import Any
 
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from instobj.report.pages import render
 
 JAW_HEADER = ("jaw", "counts", "false force, N", "pull on a magnet, N")
+GRASP_HEADER = (
+    "flat jaw over",
+    "σ force, N",
+    "σ centre, mm",
+    "σ tilt, °",
+    "15 min later",
+    "mm",
+    "°",
+)
+"""Bounds of a jaw, freshly zeroed and drifted."""
 _NOTHING = (0.5, 1e-3, 1e-3)
 """Counts and newtons below which 0 is shown: no chip and no hand feels them."""
 
@@ -60,8 +71,25 @@ def jaw_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
     return rows
 
 
+def grasp_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
+    """Rows of `GRASP_HEADER`: a jaw alone on each face, then two on opposed faces; none on curved bodies."""
+    return [
+        (
+            f"face {jaw['face']}" + (f", another over {jaw['against']}" if jaw["against"] else ""),
+            *(
+                _rounded(jaw[f"{name}_bound{state}_{unit}"])
+                for state in ("", "_drifted")
+                for name, unit in (("force", "n"), ("centre", "mm"), ("tilt", "deg"))
+            ),
+        )
+        for jaw in row["jaw_bounds"]
+    ]
+
+
 def _rounded(value: float) -> str:
-    """Three figures, without an exponent."""
+    """Three figures, without an exponent; ∞ of what signals cannot tell."""
+    if isinf(value):
+        return "∞"
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 

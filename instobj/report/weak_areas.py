@@ -36,7 +36,6 @@ def weak_areas_section(folder: Path) -> dict[str, Any]:
     """Sentence, table, figure and maps, as the page shows them."""
     content = WEAK_AREAS.read(folder)
     return {
-        "edge_text": edge_text(content),
         "weak_text": weak_text(content),
         "weak_areas": _rows(content),
         "weak_picture": WEAK_AREAS_PICTURE.path(folder),
@@ -48,24 +47,30 @@ _WEAK_FROM = 1.5
 """Edge ratio from which edges are called weak: half as uncertain again as the middle; ours."""
 
 
+def are_weak(content: dict[str, Any]) -> bool:
+    """Return whether edges are called weak."""
+    ratio = content["edge_ratio"]
+    # The verdict follows from the rounded figure, so that they cannot contradict each other.
+    return ratio is not None and round(ratio, 1) >= _WEAK_FROM
+
+
 def edge_text(content: dict[str, Any]) -> str:
     """Return whether edges are weak, by the one figure that pages and terminal give, and why."""
     ratio = content["edge_ratio"]
     if ratio is None or isnan(ratio):
         return "the same as the middle; all locations lie equally far from the border"
-    # The verdict follows from the rounded figure, so that they cannot contradict each other.
     times = round(ratio, 1)
     if isinf(ratio):
         text = "the middle is located, the edges are not"
     elif times > 1:
-        judged = "weak" if times >= _WEAK_FROM else "not weak"
+        judged = "weak" if are_weak(content) else "not weak"
         text = f"{judged}, {times:g} times as uncertain as the middle{_thirds_text(content)}"
     elif times < 1:
         text = f"less uncertain than the middle ({times:g} times)"
     else:
         return "as good as the middle"
     outer, inner = content["edge_paths_mm"]
-    if times >= _WEAK_FROM and outer >= _FARTHER * inner:
+    if are_weak(content) and outer >= _FARTHER * inner:
         text += (
             f", because magnets and sensors are farther away ({outer:.0f} mm, not {inner:.0f} mm)"
         )

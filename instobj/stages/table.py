@@ -92,8 +92,10 @@ STAGES: dict[str, Stage] = {
         make_fabrication,
         version=17,
     ),
-    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=4),
-    "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=5),
+    "response": Stage(
+        "mechanics: response operator", ("mesh",), _ELASTIC, make_response, version=2
+    ),
     "large_strain": Stage(
         "mechanics: presses with large deformation",
         (),
@@ -107,7 +109,7 @@ STAGES: dict[str, Stage] = {
             "mechanics.correction",
         ),
         make_large_strain,
-        version=4,
+        version=5,
     ),
     "shapes": Stage(
         "mechanics: shapes of presses",
@@ -123,12 +125,13 @@ STAGES: dict[str, Stage] = {
         make_presses,
         version=7,
     ),
-    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=5),
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),
         _ELASTIC_WITHOUT_MAGNETS,
         make_plain_response,
+        version=2,
     ),
     "plain_presses": Stage(
         "mechanics: contact without magnets",
@@ -290,10 +293,10 @@ STAGES: dict[str, Stage] = {
         ("response", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
-            "score.channels",
+            *("score.channels", "score.force_n", "dents", *_ELASTIC, *_NUISANCES),
         ),
         make_surroundings,
-        version=4,
+        version=5,
     ),
     "press_curves": Stage(
         "signals: curves of presses, compliance",
@@ -310,7 +313,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=10,
+        version=11,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
@@ -350,7 +353,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=28,
+        version=29,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

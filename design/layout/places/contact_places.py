@@ -6,7 +6,7 @@ steps are lengths along the surface (`design.body.section_lengths`), so that loc
 curved faces too.
 With `contact_grid.count = "fill"` these are all at which the tip lands on the face, anywhere within
 half a pitch, with a pair of counts all of the lattice on every face. Over the border of a flat face
-the tip may hang; on a curved patch all that it touches stays.
+the tip may hang; beyond that of a curved patch it may touch.
 """
 
 from __future__ import annotations
@@ -190,9 +190,9 @@ def tip_stays(
 ) -> Bool[np.ndarray, "node"]:
     """Return whether the tips, pressed at places down to the deepest step, land on the face.
 
-    On a flat face the lowest point of each must; what hangs over the border presses nothing, as over
-    the ends of a cylinder. Where slits cut the edges the whole outline must stay on the face, and
-    elsewhere on a curved patch what touches.
+    The lowest point of each must. What hangs over the border of a flat face presses nothing, as over
+    the ends of a cylinder; beyond that of a curved patch the body goes on (`FaceFrame.touched`).
+    Where slits cut the edges the whole outline must stay on the face.
     """
     tips = (
         footprint_mm(spec.indenter) if spec.shell.slits.depth_mm else tip_places_mm(spec.indenter)
@@ -225,9 +225,9 @@ def stays_on_patch(
     reach_mm: float,
     tips_mm: Float[np.ndarray, "tip 2"] = _ONE_TIP_MM,
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether disks that touch the surface at places stay on the patch, or reach beyond the body.
+    """Return whether tips land on the patch at places, and touch only where the surface is known.
 
-    The lowest point of each tip, `tips_mm` from the place, must be on the patch.
+    A tip touches up to `reach_mm` from its place; its lowest point is `tips_mm` from there.
     """
     xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
@@ -247,6 +247,8 @@ def stays_on_patch(
     # where the body itself ends a disk may hang over, a tip not
     half = np.where(frame.ends, frame.half_extents_mm, np.inf)
     on_plane[:, : len(ring)] = np.clip(on_plane[:, : len(ring)], -half, half)
-    on_patch = frame.covers(np.where(np.isfinite(on_plane), on_plane, np.inf).reshape(-1, 2))
-    stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
+    touched, landed = np.split(
+        np.where(np.isfinite(on_plane), on_plane, np.inf), [len(ring)], axis=1
+    )
+    stays[stays] = frame.touched(touched).all(axis=1) & frame.covers(landed).all(axis=1)
     return stays

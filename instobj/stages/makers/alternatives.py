@@ -10,18 +10,20 @@ from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Bool
+from jaxtyping import Bool, Float
 
 from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
+from design.layout.places.measures import place_measures
 from design.layout.pockets import lists_of_sensed_faces
 from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec.silicone import SiliconeSpec
 from design.spec_io import check
 from estimator.information.scores import place_bounds, reached_places
+from estimator.information.weak_areas import bound_of_most, thirds_of
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
@@ -43,7 +45,8 @@ _LEAST_GAIN = 1.05
 class Alternative:
     """Figures after no change, one or more: position bounds (mm), worst detectable force (N), share of the
     sensors' range that stays free, in the design and in 95 % of its virtual objects; magnets and sensors of
-    the whole object; share of the judged locations that a press of `score.force_n` does not reach any more.
+    the whole object; share of the judged locations that a press of `score.force_n` does not reach any more;
+    position bound that 95 % of the third nearest the border keep, None where all lie as near.
     `settings` are the lines `key = value` that make the changes, by tables as in a specification."""
 
     changes: tuple[str, ...]
@@ -55,6 +58,7 @@ class Alternative:
     magnets: int
     sensors: int
     unreached: float = 0.0
+    edge_bound_mm: float | None = None
     settings: tuple[str, ...] = ()
 
 
@@ -269,4 +273,15 @@ def alternative_of(
         faces * spec.magnets.count,
         faces * spec.sensors.count_per_face,
         float(np.mean(~reached_places(spec, signals)[judged])),
+        _edge_bound_mm(spec, position_mm, judged),
     )
+
+
+def _edge_bound_mm(
+    spec: ObjectSpec,
+    position_mm: Float[np.ndarray, "judged"],
+    judged: Bool[np.ndarray, "face place"],
+) -> float | None:
+    """Bound that 95 % of the third nearest the border keep, as `WeakAreas.edge_ratio` has it."""
+    outer, *inner = thirds_of(place_measures(spec).border_mm[judged])
+    return bound_of_most(position_mm[outer]) if inner else None

@@ -38,8 +38,11 @@ class TravelSpread:
 
 
 def make_surroundings(context: StageContext, folder: Path) -> None:
-    """Changes of resting signals that are no press, and the presses that they are taken for."""
+    """Changes of resting signals that are no press, and the presses that they are taken for; bounds of
+    flat jaws."""
     from estimator.information.false_force import jaw_effects, resting_shift
+    from estimator.information.jaws import jaw_bounds
+    from fem.presses.jaws import coverable_faces, jaw_faces
     from instobj.stages.makers.surroundings import surroundings_row
 
     spec, response = context.spec, context.read(RESPONSE)
@@ -48,6 +51,9 @@ def make_surroundings(context: StageContext, folder: Path) -> None:
     row["jaws"] = [asdict(jaw) for jaw in jaw_effects(spec, response, context.read(SIGNALS))]
     shift = resting_shift(spec, response)
     row["resting"] = None if shift is None else asdict(shift)
+    flat = coverable_faces(spec)
+    pressed = jaw_bounds(spec, jaw_faces(spec, response, flat)) if flat else ()
+    row["jaw_bounds"] = [asdict(bounds) for bounds in pressed]
     write_json(row, SURROUNDINGS.path(folder))
 
 

@@ -17,6 +17,7 @@ from fem.contact.refined import (
     RefinedFace,
     barycentric,
     cells_compliance,
+    facet_shares,
     hat_narrowing,
     hat_patches,
     place_compliance,
@@ -112,17 +113,36 @@ def test_cells_press_on_the_hats_around_them_narrowed(place):
     assert_allclose(found, face.narrowing.toarray() @ shared, rtol=0, atol=1e-14)
 
 
+def test_points_of_a_steep_cap_are_shared_among_the_corners_of_its_own_triangles():
+    """Within the sagitta of a triangle's edge, however steep; an edge's beyond the border."""
+    face = _half_space_face(Cap((20.0, 20.0, 20.0)))
+    xy = np.random.default_rng(6).uniform(-12, 12, (200, 2))
+    points = np.column_stack([xy, face.frame.relief.evaluate(xy)[0]])
+    vertices, share = facet_shares(face, points)
+    own = {tuple(sorted(corners)) for corners in face.surface.triangles.tolist()}
+    assert {tuple(sorted(corners)) for corners in vertices.tolist()} <= own
+    assert share.min() >= 0
+    assert_allclose(share.sum(axis=1), 1)
+    corners = face.surface.points_mm[vertices]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    away = np.linalg.norm(np.einsum("nk,nkc->nc", share, corners) - points, axis=1)
+    assert (away < longest**2 / 20.0 / 4).all()
+    beyond = np.array([[12.6, 0.0, float(face.frame.relief.evaluate(np.array([12.6, 0.0]))[0])]])
+    vertices, share = facet_shares(face, beyond)
+    assert_allclose(share[0] @ face.surface.points_mm[vertices[0]], [12.0, 0.0, -4.0], atol=0.6)
+
+
 def test_a_press_that_leaves_the_patch_is_told():
     from design.errors import InputError
 
     face, tip, at = (
         _half_space_face(Cap((20.0,) * 3)),
         tip_cells(SPEC.indenter),
-        np.array([11.0, 0]),
+        np.array([18.5, 0]),
     )
     spread = spread_cells(face, moved(tip.patches, at), at)
     with pytest.raises(InputError, match="leaves the patch of face 1"):
-        require_on_patch(tip, spread, 1.0)
+        require_on_patch(tip, spread, 3.0)
 
 
 @pytest.fixture(scope="module")

@@ -30,7 +30,7 @@ TABLES = (
         "discretisation",
     ),
     *("weak_areas", "weak_maps"),
-    *("parts", "stages", "discretisation_header"),
+    *("parts", "stages", "discretisation_header", "grasp_header", "grasp_rows"),
 )
 TEXTS = (
     *(

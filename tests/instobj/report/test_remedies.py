@@ -3,7 +3,7 @@
 import pytest
 
 from design.spec_io import parse_spec
-from instobj.report.remedies import decision, remedies, remedies_section
+from instobj.report.remedies import decision, edges_text, remedies, remedies_section
 
 SPEC = parse_spec(
     {
@@ -24,6 +24,7 @@ def row(
     sensors=10,
     unreached=0.0,
     settings=(),
+    edge_bound_mm=None,
 ):
     return {
         "changes": list(changes),
@@ -36,6 +37,7 @@ def row(
         "sensors": sensors,
         "unreached": unreached,
         "settings": list(settings),
+        "edge_bound_mm": edge_bound_mm,
     }
 
 
@@ -172,3 +174,26 @@ def test_the_change_that_helps_most_comes_with_its_lines_to_copy():
     for rows in (enough, best):
         assert remedies_section(SPEC, {"alternatives": rows}, go=False)["settings"] == lines
     assert remedies_section(SPEC, {"alternatives": enough}, go=True)["settings"] == ()
+
+
+@pytest.mark.parametrize(
+    ("after_mm", "sentence"),
+    [
+        ((1.9, 0.9, 0.8), ". Halved by sensors: 0.9 mm"),
+        ((1.9, 1.5, 1.2), ". No change tried halves that; best by magnets: 1.2 mm"),
+        ((2.0, 2.5, 3.0), "; none of the changes tried makes them better"),
+    ],
+)
+def test_weak_edges_come_with_the_cheapest_change_that_halves_their_bound(after_mm, sentence):
+    changes = (("free", {}), ("sensors", {"sensors": 11}), ("magnets", {"magnets": 20}))
+    rows = [row((), edge_bound_mm=2.0)] + [
+        row((name,), edge_bound_mm=bound, **parts)
+        for (name, parts), bound in zip(changes, after_mm, strict=True)
+    ]
+    if sentence.startswith(". Halved"):  # 3 € for a sensor, 2 € for ten magnets
+        rows[3]["magnets"] = 30
+    weak = {"edge_ratio": 1.8, "edge_paths_mm": [9.0, 9.0], "thirds": []}
+    text = edges_text(SPEC, weak, rows)
+    assert text == f"weak, 1.8 times as uncertain as the middle{sentence}"
+    strong = weak | {"edge_ratio": 1.2}
+    assert edges_text(SPEC, strong, rows) == "not weak, 1.2 times as uncertain as the middle"

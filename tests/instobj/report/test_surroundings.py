@@ -1,6 +1,6 @@
 """Surroundings in words: what the terminal says before mechanics, and what the report knows beyond."""
 
-from instobj.report.surroundings import surroundings_lines, surroundings_section
+from instobj.report.surroundings import grasp_rows, surroundings_lines, surroundings_section
 from instobj.stages.makers.surroundings import surroundings_row
 from tests.support.markup import read
 from tests.support.mechanics.odd_presses import SPEC
@@ -31,3 +31,15 @@ def test_the_report_has_counts_and_newtons_of_every_jaw():
     assert "up to 3.77 µm and the zero by up to 4.59 counts" in told
     without = read(surroundings_section(row | {"resting": None}))
     assert "each other" not in without
+
+
+def test_a_flat_jaw_has_its_bounds_alone_and_against_another():
+    bounds = {"force_bound": "n", "centre_bound": "mm", "tilt_bound": "deg"}
+    figures = (1.2345, 3.4, 0.104, 4.2, 11.6, 0.43)
+    names = [f"{name}{state}_{unit}" for state in ("", "_drifted") for name, unit in bounds.items()]
+    alone = {"face": 3, "against": None} | dict(zip(names, figures, strict=True))
+    blind = alone | {"against": 5, "force_bound_n": float("inf")}
+    rows = grasp_rows({"jaw_bounds": [alone, blind]})
+    assert rows[0] == ("face 3", "1.23", "3.4", "0.104", "4.2", "11.6", "0.43")
+    assert rows[1][:2] == ("face 3, another over 5", "∞")
+    assert grasp_rows({"jaw_bounds": []}) == []

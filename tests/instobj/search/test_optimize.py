@@ -119,7 +119,7 @@ def test_tilts_on_a_curved_body_are_refused_before_any_mechanics():
 
 
 def test_a_patch_with_too_few_locations_for_slopes_is_refused():
-    spec = load_spec(EXAMPLES / "ball.toml", ["contact_grid.pitch_mm=10.0"])
+    spec = load_spec(EXAMPLES / "ball.toml", ["contact_grid.pitch_mm=14.0"])
     search = spec.search.changed(vary=VarySpec(magnet_reach_mm=8.0))
     with pytest.raises(InputError, match=r"contact locations (in a row|on a face), for slopes"):
         require_possible(spec.changed(search=search))

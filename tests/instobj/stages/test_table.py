@@ -64,7 +64,9 @@ DOWNSTREAM: dict[str, set[str]] = {
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
-    "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
+    "score.force_n=6": {
+        *("candidates", "robustness", "scores", "shear_scores", "identify", "surroundings"),
+    },
     "protocol.presses_per_place=4": RECORDED,
     "collection.presses=5": {"collection", "pulled_collection"},
     "tolerances.magnet_tilt_deg=1": {"robustness", "alternatives"},

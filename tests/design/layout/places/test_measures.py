@@ -70,7 +70,7 @@ def test_the_nearest_magnet_may_belong_to_another_face(kind):
     spots = np.stack([frame.to_object(np.array([12.0, 0.0, 0.0])) for frame in frames])
     place = int(np.argmin(np.hypot(*(grid.xy_mm - [-13.5, 1.5]).T)))
     for row, frame in enumerate(frames):
-        point = frame.to_object(np.append(grid.xy_mm[place], 0.0))
+        point = frame.to_object(np.append(frame.to_plane(grid.xy_mm[place]), 0.0))
         away = np.linalg.norm(point - spots, axis=1)
         assert_allclose(found.magnet_mm[row, place], away.min())
     assert (found.magnet_mm[:, place] < np.hypot(*(grid.xy_mm[place] - [12.0, 0.0])) - 1).any()
