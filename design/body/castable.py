@@ -29,12 +29,13 @@ class CastableBody:
     Attributes
     ----------
     surface : closed, its tightest box along the axes and longest along z, its middle in the origin
-    filled_mm : depth of the deepest hollow of the scan that is filled, and the median distance to it
+    off_mm : largest and median distance to the scan of the surface whose hollows are filled; over a deep
+        hollow that is the distance to its nearest wall
     evened_mm : largest distance by which both sides were moved to be mirror images
     """
 
     surface: trimesh.Trimesh
-    filled_mm: tuple[float, float]
+    off_mm: tuple[float, float]
     evened_mm: float
 
 

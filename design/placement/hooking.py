@@ -42,8 +42,9 @@ _SPARE, _EXACT_MM = 1.1, 1e-6
 """Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
-_MOST_FILLED = 0.15
-"""Depth of hollows that are filled, as a share of the body's shortest edge: deeper, it is another body."""
+_MOST_OFF = 0.15
+"""Distance of a body without hollows to its scan, as a share of its shortest edge: beyond, it is another
+body."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
 
 
@@ -104,15 +105,15 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
     file = dict(request.file)
     castable = castable_body(read_surface(file["file"], file["scale"]))
     x, y, z = castable.surface.extents
-    deepest_mm, median_mm = castable.filled_mm
+    farthest_mm, median_mm = castable.off_mm
     hooked = (
         f"halves of a mould would hook this body by {needed_mm * COMPLIANCE_FRACTION / _SPARE:.2g} mm, and "
         f"{_THICKEST_MM:g} mm of silicone give way by {_THICKEST_MM * COMPLIANCE_FRACTION:.2g} mm"
     )
-    if deepest_mm > _MOST_FILLED * min(x, y, z):
+    if farthest_mm > _MOST_OFF * min(x, y, z):
         raise SpecError(
-            f"{hooked}. Its hollows, up to {deepest_mm:.2g} mm deep, are too deep to be filled: it would be "
-            "another body. Moulds of more than two halves are not made. Take a simple body of that size, as "
+            f"{hooked}. With its hollows filled it would be another body, up to {farthest_mm:.2g} mm off the "
+            "scan. Moulds of more than two halves are not made. Take a simple body of that size, as "
             f"--kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
             "the file"
         )
@@ -120,8 +121,8 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         castable.surface.export(path, file_type="stl")
     text = (
         f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
-        f"whose sides are mirror images. Hollows up to {deepest_mm:.2g} mm deep are filled, half of the "
-        f"surface within {median_mm:.2g} mm of the scan; its sides were moved by up to "
+        f"whose sides are mirror images. With its hollows filled it is up to {farthest_mm:.2g} mm off the "
+        f"scan, half of it within {median_mm:.2g} mm; then its sides were moved by up to "
         f"{castable.evened_mm:.2g} mm"
     )
     read = body_of_file(target)

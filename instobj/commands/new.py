@@ -94,7 +94,7 @@ def new_specification(
             "'_', '.', '-' (80 at most)"
         )
     castable = out / f"{name}_castable.stl"
-    for path in (target, castable):
+    for path in (target, castable) if request and request.file else (target,):
         if path.exists():
             raise InputError(f"{path} is already there. Choose another name, or move it away")
     require_writable(out)  # before parts are placed, which takes long
@@ -104,7 +104,12 @@ def new_specification(
         if changed:
             warnings.warn(changed, stacklevel=2)
     if request is not None:
-        tables, failed = (design or designed)(request)
+        try:
+            tables, failed = (design or designed)(request)
+        except BaseException:
+            if request.file:
+                castable.unlink(missing_ok=True)
+            raise
         tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)

@@ -33,8 +33,8 @@ def lump(seed):
 def test_a_can_with_deep_lids_gets_flat_ones():
     body = castable_body(recessed_can())
     assert body.surface.extents == pytest.approx([60, 60, 90], abs=0.1)
-    assert body.filled_mm[0] == pytest.approx(5, abs=0.1)
-    assert body.filled_mm[1] < 0.05
+    assert body.off_mm[0] == pytest.approx(5, abs=0.1)
+    assert body.off_mm[1] < 0.05
     assert body.evened_mm < 0.1
     assert body.surface.volume == pytest.approx(np.pi * 30**2 * 90, rel=5e-3)
 
