@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from math import factorial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -62,16 +63,43 @@ class SampledRelief:
         x, y = xy_mm[..., 0], xy_mm[..., 1]
         inside = (x / self.half_mm[0]) ** 2 + (y / self.half_mm[1]) ** 2 <= 1
         x, y = np.where(inside, x, 0.0), np.where(inside, y, 0.0)
-        height, *slopes = (
-            np.where(inside, spline(x, y, grid=False), np.nan)
-            for spline in (self.spline, *self._slopes)
-        )
-        return np.asarray(height), np.stack(slopes, axis=-1)
+        breaks_x, breaks_y, powers = self._pieces
+        column, row = breaks_x.searchsorted(x, "right") - 1, breaks_y.searchsorted(y, "right") - 1
+        u, v = x - breaks_x[column], y - breaks_y[row]
+        coefficients = powers.take(column * len(breaks_y) + row, axis=1)
+        # Horner's scheme, z = Σᵢ (Σⱼ cᵢⱼ vʲ) uⁱ: inner sums and their derivatives first
+        lines = [coefficients[4 * i : 4 * i + 4] for i in range(4)]
+        sums = [((d * v + c) * v + b) * v + a for a, b, c, d in lines]
+        leans = [(3 * d * v + 2 * c) * v + b for _, b, c, d in lines]
+        height = ((sums[3] * u + sums[2]) * u + sums[1]) * u + sums[0]
+        along_x = (3 * sums[3] * u + 2 * sums[2]) * u + sums[1]
+        along_y = ((leans[3] * u + leans[2]) * u + leans[1]) * u + leans[0]
+        beyond = np.where(inside, 0.0, np.nan)
+        return height + beyond, np.stack([along_x + beyond, along_y + beyond], axis=-1)
 
     @cached_property
-    def _slopes(self) -> tuple[Any, Any]:
-        """Along x and y; the spline would work them out whole at every call."""
-        return self.spline.partial_derivative(1, 0), self.spline.partial_derivative(0, 1)
+    def _pieces(
+        self,
+    ) -> tuple[Float[np.ndarray, "i"], Float[np.ndarray, "j"], Float[np.ndarray, "16 i*j"]]:
+        """Lower breaks along x and y, and the powers of each piece: rows 4 i + j belong to uⁱ vʲ.
+
+        The spline's own call takes five times as long for the height and its slopes.
+        """
+        knots_x, knots_y = self.spline.get_knots()
+        coefficients = self.spline.get_coeffs().reshape(len(knots_x) - 4, len(knots_y) - 4)
+        along_x = _powers(knots_x, coefficients)
+        powers = _powers(knots_y, np.moveaxis(along_x, 2, 0)).transpose(2, 0, 3, 1)
+        return knots_x[3:-4], knots_y[3:-4], np.ascontiguousarray(powers.reshape(16, -1))
+
+
+def _powers(
+    knots: Float[np.ndarray, "k"], coefficients: Float[np.ndarray, "c *others"]
+) -> Float[np.ndarray, "4 piece *others"]:
+    """Return the powers of each piece of cubic splines: a Taylor series from its lower break."""
+    from scipy.interpolate import BSpline
+
+    spline = BSpline(knots, coefficients, 3)
+    return np.stack([spline(knots[3:-4], nu=i) / factorial(i) for i in range(4)])
 
 
 def outer_distance_mm(

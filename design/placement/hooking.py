@@ -10,12 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float
 
+from design.body.castable import castable_body, even_directions
+from design.body.imported import body_of_file, read_surface
 from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
+from design.errors import SpecError
+from design.files import atomic_path
 from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_along_mm, undercut_depth_mm
 from design.placement.objects import (
     SHELL_VARIANTS,
@@ -37,6 +42,9 @@ _SPARE, _EXACT_MM = 1.1, 1e-6
 """Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
+_MOST_OFF = 0.15
+"""Distance of a body without hollows to its scan, as a share of its shortest edge: beyond, it is another
+body."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
 
 
@@ -66,18 +74,10 @@ def way_that_hooks_least(body: BodyKind) -> tuple[float, Float[np.ndarray, "3"]]
         hooked = [(undercut_along_mm(body, way), way) for way in ways]
         return sorted(hooked, key=lambda depth_and_way: depth_and_way[0])[:_MOST_REFINED]
 
-    best = least(_ways_of_half_a_ball(_WAYS))
+    best = least(even_directions(2 * _WAYS)[:_WAYS])
     for apart in _NEARER_DEG:
         best = least(near for _, way in best for near in (way, *_ways_beside(way, apart)))
     return best[0]
-
-
-def _ways_of_half_a_ball(count: int) -> Float[np.ndarray, "way 3"]:
-    """Evenly, along a spiral."""
-    steps = np.arange(count) + 0.5
-    z, turn = 1 - steps / count, np.pi * (1 + np.sqrt(5)) * steps
-    level = np.sqrt(1 - z**2)
-    return np.column_stack([level * np.cos(turn), level * np.sin(turn), z])
 
 
 def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Float[np.ndarray, "3"]]:
@@ -87,6 +87,47 @@ def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Floa
     for turn in np.deg2rad(np.arange(0.0, 360.0, 60.0)):
         near = way + lean * (np.cos(turn) * side + np.sin(turn) * np.cross(way, side))
         yield near / np.linalg.norm(near)
+
+
+def castable_request(request: Request, target: Path) -> tuple[Request, str]:
+    """Return the request for the scan's `castable_body`, written to `target`, and what was done in words.
+
+    The request itself and "" where silicone gives way by what some seam about z hooks.
+
+    Raises
+    ------
+    SpecError
+        No seam lets the body go, and its hollows are too deep to be filled.
+    """
+    needed_mm = _needed_mm(request)
+    if needed_mm <= _THICKEST_MM:
+        return request, ""
+    file = dict(request.file)
+    castable = castable_body(read_surface(file["file"], file["scale"]))
+    x, y, z = castable.surface.extents
+    farthest_mm, median_mm = castable.off_mm
+    hooked = (
+        f"halves of a mould would hook this body by {needed_mm * COMPLIANCE_FRACTION / _SPARE:.2g} mm, and "
+        f"{_THICKEST_MM:g} mm of silicone give way by {_THICKEST_MM * COMPLIANCE_FRACTION:.2g} mm"
+    )
+    if farthest_mm > _MOST_OFF * min(x, y, z):
+        raise SpecError(
+            f"{hooked}. With its hollows filled it would be another body, up to {farthest_mm:.2g} mm off the "
+            "scan. Moulds of more than two halves are not made. Take a simple body of that size, as "
+            f"--kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
+            "the file"
+        )
+    with atomic_path(target) as path:
+        castable.surface.export(path, file_type="stl")
+    text = (
+        f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
+        f"whose sides are mirror images. With its hollows filled it is up to {farthest_mm:.2g} mm off the "
+        f"scan, half of it within {median_mm:.2g} mm; then its sides were moved by up to "
+        f"{castable.evened_mm:.2g} mm"
+    )
+    read = body_of_file(target)
+    size_mm = tuple(read["size_mm"])
+    return replace(request, size_mm=size_mm, file=(("file", read["file"]), ("scale", 1.0))), text
 
 
 def shell_variants_of(request: Request) -> tuple[ShellVariant, ...]:

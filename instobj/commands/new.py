@@ -33,7 +33,12 @@ from design.layout.mould.frame import (
 )
 from design.layout.places.coverage import covered_share
 from design.placement.asked import most_printed_mm, placements
-from design.placement.hooking import hooked_by_azimuth_mm, turned, way_that_hooks_least
+from design.placement.hooking import (
+    castable_request,
+    hooked_by_azimuth_mm,
+    turned,
+    way_that_hooks_least,
+)
 from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import BodySpec
@@ -88,12 +93,23 @@ def new_specification(
             f"{name!r} cannot name an object: start with a letter or digit, then letters, digits, "
             "'_', '.', '-' (80 at most)"
         )
-    if target.exists():
-        raise InputError(f"{target} is already there. Choose another name, or move it away")
+    castable = out / f"{name}_castable.stl"
+    for path in (target, castable) if request and request.file else (target,):
+        if path.exists():
+            raise InputError(f"{path} is already there. Choose another name, or move it away")
     require_writable(out)  # before parts are placed, which takes long
     tables: Tables | None = None
+    if request is not None and request.file:
+        request, changed = castable_request(request, castable)
+        if changed:
+            warnings.warn(changed, stacklevel=2)
     if request is not None:
-        tables, failed = (design or designed)(request)
+        try:
+            tables, failed = (design or designed)(request)
+        except BaseException:
+            if request.file:
+                castable.unlink(missing_ok=True)
+            raise
         tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
@@ -114,6 +130,9 @@ def placed_text(path: Path, request: Request | None = None) -> str:
     spec, helps = load_spec(path, []), ""
     score = first_score(spec)
     if request is not None:
+        if request.file:  # a scan may have been made castable
+            file = (("file", spec.body.file), ("scale", spec.body.scale))
+            request = replace(request, size_mm=spec.body.size_mm, file=file)
         with _timed_stage(ProgressLine(), "what more parts would bring"):
             helps = parts_that_help(request, spec, score)
     lines = (

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 from design.body.kinds.registry import KINDS
 from design.errors import InputError, InstobjError
@@ -477,3 +478,53 @@ def test_what_cannot_be_written_is_told_before_parts_are_placed(tmp_path, name, 
             lambda request: (asked.append(request), (placed_tables("box"), []))[1],
         )
     assert asked == []
+
+
+def tin(folder, height_mm=90.0, lid_mm=5.0):
+    """A tin whose lids lie that deep, as a file."""
+    body = trimesh.creation.cylinder(30, height_mm, sections=64)
+    lids = [trimesh.creation.cylinder(27, 2 * lid_mm, sections=64) for _ in range(2)]
+    for lid, side in zip(lids, (-1, 1), strict=True):
+        lid.apply_translation([0, 0, side * height_mm / 2])
+    path = folder / "tin.stl"
+    trimesh.boolean.difference([body, *lids], engine="manifold").export(path)
+    return path
+
+
+def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
+    """Nothing stays of it where its parts find no place."""
+    asked = []
+
+    def no_place(request):
+        asked.append(request)
+        raise InputError("too small")
+
+    request = request_of(file=tin(tmp_path))
+    with (
+        pytest.warns(UserWarning, match="up to 5 mm off the scan"),
+        pytest.raises(InputError, match="too small"),
+    ):
+        new_specification("mine", tmp_path, request, no_place)
+    assert [path.name for path in tmp_path.iterdir()] == ["tin.stl"]
+
+    def placed(request):
+        asked.append(request)
+        return placed_tables("box") | {"body": {"kind": "box", "size_mm": [50.0, 50.0, 50.0]}}, []
+
+    castable = tmp_path / "mine_castable.stl"
+    with pytest.warns(UserWarning, match=r"mine_castable\.stl is designed instead"):
+        path = new_specification("mine", tmp_path, request, placed)
+    for changed in asked:
+        assert dict(changed.file) == {"file": str(castable), "scale": 1.0}
+        assert changed.size_mm == pytest.approx((60, 60, 90), abs=0.1)
+    assert trimesh.load(castable).is_convex
+    path.unlink()
+    with pytest.raises(InputError, match=r"mine_castable\.stl is already there"):
+        new_specification("mine", tmp_path, request, placed)
+
+
+def test_a_scan_with_deep_hollows_is_refused_with_what_works(tmp_path):
+    file = tin(tmp_path, lid_mm=30.0)
+    with pytest.raises(InputError, match=r"up to 26 mm off the scan.*--kind ellipsoid --size"):
+        new_specification("mine", tmp_path, request_of(file=file))
+    assert not list(tmp_path.glob("*castable*"))
