@@ -146,7 +146,7 @@ LONG = {"package_mm": [6.6, 6.2, 1.6]}
         ("sphere", {"body": {"sensed_faces": [6]}}, "closed faces"),
         ("sphere", {"body": {"inside": "air"}}, "is for 'dome'"),
         ("sphere", {"magnets": {"positions_mm": [[15.5, 0.0], [-15.5, 0.0]]}}, "touch or overlap"),
-        ("sphere", {"contact_grid": {"pitch_mm": 14.0}}, "leave face 1, an ellipse"),
+        ("sphere", {"contact_grid": {"pitch_mm": 16.0}}, "leave face 1, an ellipse"),
         ("sphere", {"mechanics": {"interface": "frictionless"}}, "for boxes only"),
         ("hollow_dome", {"shell": {"thickness_mm": 18}}, "below the dome's radius"),
         ("solid_dome", {"body": {"size_mm": [24, 24, 13]}}, "rigid base is 1 mm"),
