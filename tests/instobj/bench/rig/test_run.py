@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
+from estimator.recordings.formats.files import read_table
 from estimator.recordings.reading import read_recording
 from instobj.bench.rig.command import RigOptions, rig
 from instobj.bench.rig.mounting import Mounting
@@ -95,6 +96,22 @@ def test_presses_are_done_as_planned_and_recorded(tmp_path, numbers):
     for row in still:
         wanted = hertz(1.0, (row["cell1_x1_mm"], row["cell1_y1_mm"]))
         assert abs(row["cell1_force_n"] - wanted) < (1.0 if numbers else 0.2)
+
+
+def test_the_command_presses_without_a_load_cell_and_its_recording_is_read(tmp_path):
+    with bench() as made:
+        made.load_silent = True
+        given = options(made, tmp_path, presses=1, settings={"speed_mm_s": 2.0})
+        ports = replace(given.ports, by_travel=True)
+        done = rig(replace(given, ports=ports), yes)
+        require_tip_up(made)
+    assert done["presses"] == 1
+    assert done["reference_n"] == []
+    assert done["texts"][-1].endswith("run.nc --spec FILE")
+    table = read_table(tmp_path / "run.nc")
+    assert table.labelled_by_travel
+    assert np.nanmax(table.travel_mm) == pytest.approx(2.0, abs=0.02)
+    assert events(tmp_path, "finished")[0].keys() == {"event", "press", "row"}
 
 
 def test_a_board_that_reads_its_load_cell_labels_frames_at_their_time(tmp_path):
