@@ -692,7 +692,7 @@ def test_no_fault_harms_other_objects_at_other_speeds(tmp_path, name, dialect, s
 @pytest.mark.parametrize("settings", [SETTINGS, FAST])
 @pytest.mark.parametrize("name", [*BY_TRAVEL, *WITHOUT_CELL])
 def test_no_fault_harms_other_objects_without_a_load_cell(tmp_path, name, settings, stiffer):
-    """Up to the stiffest silicone of the specification, whose law says 10 N at 2 mm; this object gives 9.8 N."""
+    """Up to the stiffest silicone of the specification: its law says 10 N at 2 mm, the object gives 9.8 N."""
     bench = Bench(FollowsForce(stiffer), seed=1)
     bench.cell = nobody
     (WITHOUT_CELL.get(name) or FAULTS[name])[0](bench)
