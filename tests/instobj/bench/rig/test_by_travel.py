@@ -90,6 +90,22 @@ def test_nothing_goes_below_the_bound_from_the_stated_surface(tmp_path, off_mm):
     assert max(bench.depths) <= bound_mm - off_mm + 0.02
 
 
+def test_chips_that_hide_a_contact_at_first_do_not_lower_the_bound(tmp_path):
+    """They see nothing of the first 0.6 mm, so that the surface seems lower; presses end where they would."""
+    bench = WithoutCell()
+    bound_mm = travel_bound_mm(SPEC, LIMIT_N)
+    level = np.round(820 * bench.silicone.field_mt(0.0, np.zeros(2)))
+
+    def counts(values):
+        hidden = level + np.round(22 * bench.rng.standard_normal((3, 3)))
+        return values if bench.depth_mm > 0.6 else hidden
+
+    bench.counts = counts
+    error, done = pressed(bench, tmp_path, {"depths_mm": (bound_mm - 0.01,)})
+    assert error is not None or len(done) == 2
+    assert 1.0 < max(bench.depths) <= bound_mm + 0.02
+
+
 @pytest.mark.parametrize("off_mm", [-2.0, 8.0, -8.0])
 def test_a_surface_that_is_not_where_it_was_stated_is_refused(tmp_path, off_mm):
     bench = WithoutCell()
