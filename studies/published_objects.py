@@ -58,8 +58,9 @@ OBJECTS = (
     ),
 )
 NOT_SCORED = (
-    "AnySkin is no row: its magnets are particles in the silicone, magnetised over the whole skin; a "
-    "specification has single magnets, so nothing is predicted for it",
+    "AnySkin (arXiv 2409.08276, github.com/raunaqbhirangi/anyskin) is no row: its builders report slip and "
+    "policies learned from raw readings of five chips, and no error of force or place. Its magnets are "
+    "particles magnetised over the whole skin; a specification has single magnets",
     "InstrumentedCube is no row: its builders published levels of travel and no force. What "
     "studies/instrumented_cube.toml predicts at equal travel stands in docs/measured/adopt.md",
 )

@@ -75,7 +75,7 @@ class SampledRelief:
         along_x = (3 * sums[3] * u + 2 * sums[2]) * u + sums[1]
         along_y = ((leans[3] * u + leans[2]) * u + leans[1]) * u + leans[0]
         beyond = np.where(inside, 0.0, np.nan)
-        return height + beyond, np.stack([along_x + beyond, along_y + beyond], axis=-1)
+        return np.asarray(height + beyond), np.stack([along_x + beyond, along_y + beyond], axis=-1)
 
     @cached_property
     def _pieces(

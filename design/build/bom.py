@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from design.build.manifest import BuildManifest
-from design.layout.boards import WIRE_DIAMETER_MM
+from design.layout.boards import WIRE_DIAMETER_MM, has_lid
 from design.layout.places.positions import sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
@@ -164,6 +164,7 @@ def _silicone(spec: ObjectSpec) -> Item:
 
 def printed_items(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
     density = spec.printer.preset.density_g_per_cm3
+    whole_core = {"core"} if has_lid(spec) else set()
     return [
         Item(
             f"print {part.name}",
@@ -173,7 +174,7 @@ def printed_items(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
             f"{part.name}.3mf; " + " × ".join(f"{edge:.1f}" for edge in part.size_mm) + " mm each",
         )
         for part in manifest.parts
-        if part.material == "printed"
+        if part.material == "printed" and part.name not in whole_core
     ]
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Literal
 
+from design.layout.boards import has_lid
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import has_mould
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
@@ -16,7 +17,7 @@ from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
 from design.solids.booleans import TRIANGLES, exact_or_triangles
-from design.solids.core import make_core
+from design.solids.core import make_core, make_core_base, make_core_lid
 from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
 from design.solids.kernel import cq
@@ -64,12 +65,23 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     )
     return (
         Part("core", partial(core, spec)),
+        *_halves_of_core(spec),
         Part("shell", partial(shell, spec), "silicone"),
         *_mould(spec),
         *probes,
         *_jig(spec),
         *_templates(spec),
     )
+
+
+def _halves_of_core(spec: ObjectSpec) -> list[Part]:
+    """Base and lid, printed in place of the core where a board and a battery are closed in."""
+    if not has_lid(spec):
+        return []
+    return [
+        Part("core_base", partial(make_core_base, spec)),
+        Part("core_lid", partial(make_core_lid, spec)),
+    ]
 
 
 def _jig(spec: ObjectSpec) -> list[Part]:

@@ -10,8 +10,16 @@ import numpy as np
 
 from design.body.triangles import Block
 from design.layout.blocks import SUNK_MM, core_keys, relief_slits, slit_end_mm
-from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
+from design.layout.boards import (
+    LID_RIM_MM,
+    bay_block,
+    cuts_of_core,
+    gap_mm,
+    has_lid,
+    passage_radius_mm,
+)
 from design.layout.body import body_of, core_frames, face_frames
+from design.layout.core_hold import locators
 from design.layout.pockets import axis_in_object_mm, shell_pockets
 
 if TYPE_CHECKING:
@@ -169,16 +177,22 @@ def check_slits(spec: ObjectSpec) -> Iterator[str]:
 
 
 def check_bay(spec: ObjectSpec) -> Iterator[str]:
-    """A bay that can be reached from below, with walls to what is cut into the core and to its sides."""
+    """A bay that can be reached, with walls to what is cut into the core and to its sides."""
     body, bay, wall = body_of(spec), bay_block(spec), spec.printer.wall_mm
     if bay is None:
         return
-    if not (body.on_base or (body.opens_sides and 6 in body.opened)):
+    lid = has_lid(spec)
+    if (lid and body.sampled) or not (
+        lid or body.on_base or (body.opens_sides and 6 in body.opened)
+    ):
         yield (
-            "core.bay_mm opens at the core's lower end, where a board and a battery go in; the core of "
-            f"this {spec.body.kind} is cast in, and only a bore or holes of pins lead to it. Leave "
-            "core.bay_mm out, or take a body that is open there"
+            "core.bay_mm opens at the core's lower end, or lies in a closed core that is printed in two "
+            f"parts; the core of this {spec.body.kind} has neither. Leave core.bay_mm out, open face 6 of a "
+            "box or cylinder, or leave no face open"
         )
+        return
+    if lid:
+        yield from _check_closed_bay(spec, bay)
         return
     upper = bay.corners_mm[4:]
     across = np.hypot(*upper[:, :2].T) if body.size_mm[0] == body.size_mm[1] else 0 * upper[:, 0]
@@ -198,6 +212,42 @@ def check_bay(spec: ObjectSpec) -> Iterator[str]:
         yield (
             f"core.bay_mm comes within {min(gaps):.3g} mm of a sensor's recess or a wire channel, less than "
             f"printer.wall_mm = {wall:g}. Make the bay smaller"
+        )
+
+
+def _check_closed_bay(spec: ObjectSpec, bay: Block) -> Iterator[str]:
+    """Wall all round, to what is cut into the core and to its pins; height for the lid's rim."""
+    body, wall = body_of(spec), spec.printer.wall_mm
+    sides = np.vstack(
+        [bay.centre_mm + bay.half_mm * np.eye(3), bay.centre_mm - bay.half_mm * np.eye(3)]
+    )
+    around_mm = -float(np.max(body.core_distance_mm(np.vstack([bay.corners_mm, sides]))))
+    cuts_mm = min((gap_mm(bay, cut) for cut in cuts_of_core(spec)), default=wall)
+    sockets = [locator.socket for locator in locators(spec) if locator.socket is not None]
+    pins_mm = min(
+        (float(bay.distance_mm(s.end_mm[None])[0]) - s.radius_mm for s in sockets), default=wall
+    )
+    for left_mm, what in (
+        (around_mm, "of the core's wall"),
+        (cuts_mm, "to a sensor's recess or a wire channel"),
+    ):
+        if left_mm < wall:
+            yield (
+                f"core.bay_mm leaves {left_mm:.3g} mm {what}, less than printer.wall_mm = {wall:g}. Make the "
+                "bay smaller by twice what is missing"
+            )
+    if pins_mm < wall:
+        yield (
+            f"core.bay_mm is in the way of pins that hold the core in its mould: {pins_mm:.3g} mm to "
+            f"their holes, less than printer.wall_mm = {wall:g}. Move shell pockets out of the middles of "
+            "two faces, where pins then stand in the wire holes, or make the bay smaller"
+        )
+    least_mm = 2 * (wall + spec.printer.clearance_mm) + wall
+    size_mm = 2 * bay.half_mm
+    if size_mm[:2].min() < least_mm or size_mm[2] <= LID_RIM_MM:
+        yield (
+            f"core.bay_mm = {size_mm.tolist()} has no room for the lid's rim. Give {least_mm:g} mm or "
+            f"more in x and y, and more than {LID_RIM_MM:g} in depth"
         )
 
 

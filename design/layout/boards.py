@@ -46,6 +46,10 @@ class Mounted:
         return f"sensor {self.number} of face {self.face}"
 
 
+LID_RIM_MM = 2.0
+"""Height of the rim under a lid, that centres it in its bay."""
+
+
 @cached_geometry
 def mounted_sensors(spec: ObjectSpec) -> tuple[Mounted, ...]:
     """Boards in the core's recesses, face by face; empty where the sensors sit in the shell.
@@ -92,13 +96,21 @@ def _mounted(
 
 
 def bay_block(spec: ObjectSpec) -> Block | None:
-    """The bay of the core, `core.bay_mm` from its lower end upwards; None where there is none."""
+    """The bay of the core, `core.bay_mm` from its lower end upwards, about its middle where the body is
+    closed; None where there is none."""
     if spec.core.bay_mm is None:
         return None
-    body = body_of(spec)
+    body, half = body_of(spec), np.asarray(spec.core.bay_mm) / 2
+    if has_lid(spec):
+        return Block(np.zeros(3), np.eye(3), half)
     low = -float(body.half_mm[2] if body.on_base else body.core_half_mm[2])
-    half = np.asarray(spec.core.bay_mm) / 2
     return Block(np.array([0.0, 0.0, low + half[2]]), np.eye(3), half)
+
+
+def has_lid(spec: ObjectSpec) -> bool:
+    """Return whether the core is printed in two parts, a base and a lid, round the bay of a closed body."""
+    body = body_of(spec)
+    return spec.core.bay_mm is not None and body.opening == "closed" and not body.on_base
 
 
 def cuts_of_core(spec: ObjectSpec) -> list[Block]:

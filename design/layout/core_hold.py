@@ -16,7 +16,12 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.surface_chart import Cap, FaceFrame
-from design.layout.boards import count_wires, hole_for_wires_mm, wire_hole_diameter_mm
+from design.layout.boards import (
+    bay_block,
+    count_wires,
+    hole_for_wires_mm,
+    wire_hole_diameter_mm,
+)
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_sockets import Socket, roomiest_sockets, socket_beside
 from design.layout.mould.frame import opening_of
@@ -186,7 +191,10 @@ def locator_in(
         if common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
             return None
         met.append(pocket)
-    hole = float(frame.centre_mm @ frame.normal) - depth
+    # A pin's nose stays in the wall of a bay, where the board and the battery lie already.
+    bay = bay_block(spec)
+    room = 0.0 if bay is None else float(np.abs(frame.normal) @ bay.half_mm)
+    hole = float(frame.centre_mm @ frame.normal) - depth - room
     return Locator(replace(frame, relief=Cap()), radius, depth, hole, tuple(met))
 
 

@@ -7,7 +7,9 @@ import numpy as np
 from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
 from design.layout.boards import (
+    LID_RIM_MM,
     bay_block,
+    has_lid,
     passage_radius_mm,
     wire_channels,
     wire_hole_diameter_mm,
@@ -17,7 +19,7 @@ from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets
 from design.solids.body import core_hollow, core_solid
-from design.solids.booleans import Solid, cut, join, one_solid
+from design.solids.booleans import Solid, common, cut, join, one_solid
 from design.solids.kernel import cq
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -54,11 +56,54 @@ def make_core(spec: ObjectSpec) -> Solid:
     return one_solid(cut(join(body, *keys), *cutters), "core")
 
 
+def make_core_base(spec: ObjectSpec) -> Solid:
+    """Core of a closed body below the top of its bay: the bay is open there for a board and a battery.
+
+    Raises
+    ------
+    InputError
+        As `make_core`.
+    """
+    return one_solid(cut(make_core(spec), _above_bay(spec)), "core_base")
+
+
+def make_core_lid(spec: ObjectSpec) -> Solid:
+    """Core of a closed body above the top of its bay, with a rim below that stands in the bay.
+
+    Raises
+    ------
+    InputError
+        As `make_core`.
+    """
+    bay = bay_block(spec)
+    assert bay is not None
+    top = float(bay.half_mm[2])
+    across = bay.half_mm[:2] - spec.printer.clearance_mm
+    inner = across - spec.printer.wall_mm
+    rim = box_between((*-across, top - LID_RIM_MM), (*across, top + OVERSHOOT_MM))
+    room = box_between((*-inner, top - LID_RIM_MM - OVERSHOOT_MM), (*inner, top))
+    wires = [
+        tool
+        for frame, _ in board_places(spec)
+        if frame.normal[2] > 0.5
+        for tool in wire_passage(spec, frame)
+    ]
+    lid = join(common(make_core(spec), _above_bay(spec)), cut(rim, room))
+    return one_solid(cut(lid, *wires), "core_lid")
+
+
+def _above_bay(spec: ObjectSpec) -> cq.Solid:
+    bay, half = bay_block(spec), body_of(spec).half_mm + OVERSHOOT_MM
+    assert bay is not None
+    return box_between((*-half[:2], float(bay.half_mm[2])), half)
+
+
 def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
     rooms, bay = core_hollow(spec), bay_block(spec)
     if bay is not None:
         low, high = bay.centre_mm - bay.half_mm, bay.centre_mm + bay.half_mm
-        rooms.append(box_between(low - [0, 0, OVERSHOOT_MM], high))
+        past = 0.0 if has_lid(spec) else OVERSHOOT_MM
+        rooms.append(box_between(low - [0, 0, past], high))
     return rooms
 
 

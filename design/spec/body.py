@@ -213,7 +213,8 @@ class CoreSpec(SpecPart):
 
     A `wire_channel_mm` (width, depth) whose width is above 0 cuts channels from each sensor's recess to
     the wire hole. `bay_mm` widens or deepens the cavity by a box of that
-    size (x, y, depth from the open face) for a board and a battery. The wires only enter the checks.
+    size (x, y, depth from the open face) for a board and a battery. In a body without an open face it is a
+    room about the core's middle, and the core is printed in two parts. The wires only enter the checks.
     """
 
     wall_mm: Wall = 4.5

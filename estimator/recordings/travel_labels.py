@@ -24,6 +24,9 @@ from estimator.signals.interpolation import (
 from estimator.signals.presses import Signals
 from fem.presses.results import PressForces
 
+_MACHINE_MM = 0.02
+"""Travel that is the deepest press still: a machine is sent two digits and reports the step it stands on."""
+
 
 @dataclass(frozen=True)
 class TravelForces:
@@ -55,7 +58,7 @@ class TravelForces:
         """
         forces = self.presses()
         deepest = float(forces.depth_mm[-1])
-        if travel_mm.max(initial=0.0) > deepest + 1e-9:
+        if travel_mm.max(initial=0.0) > deepest + _MACHINE_MM:
             raise RecordingError(
                 f"travels reach {travel_mm.max():.3g} mm; the specification's presses go {deepest:g} mm "
                 "deep. Add that depth to press.depths_mm, or give travel from the height of first touch"
@@ -64,7 +67,8 @@ class TravelForces:
         signals = Signals(
             forces.faces, forces.lattice, forces.depth_mm, forces.force_n, bare, np.zeros((0, 3))
         )
-        return force_at_depth(press_traces(signals, face, *xy_mm.T), travel_mm)
+        traces = press_traces(signals, face, *xy_mm.T)
+        return force_at_depth(traces, np.minimum(travel_mm, deepest))
 
     def signal_changes(
         self,

@@ -27,6 +27,10 @@ from instobj.store.stage import write_json
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
+_NO_ARRANGEMENT = (
+    "arrangement, normal or reverse: in no log alone. A chip's reading changes with the motion between it "
+    "and the magnets, whichever moves. --spec FILE with the places of chips and magnets has both fitted"
+)
 _MOST_QUESTIONS = 3
 """Questions asked at once, in the order in which their answers are needed."""
 
@@ -89,6 +93,8 @@ def adopt_logs(
 
                 with progress.stage("a better layout of the same parts"):
                     texts.append(gain_text(tomllib.loads(text)))
+    elif identified.orders:
+        texts.append(_NO_ARRANGEMENT)
     write_json(document, target / "adoption.json")
     questions = open_questions(identified, answers, spec is not None)
     return {

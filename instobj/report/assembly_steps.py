@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from design.build.bom import SILICONE_WASTE, numbered, silicone_amount
+from design.layout.boards import has_lid
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
@@ -64,6 +65,14 @@ def _core_first(spec: ObjectSpec) -> list[str]:
         "on flat, and secure it there with a drop of hot glue.",
         "closed": "Coil the wires' ends in the middle of the core, deeper than the locating pins reach.",
     }[opening_of(spec)]
+    if has_lid(spec):
+        return [
+            f"{_glued(spec)} Core means core_base and core_lid here: core.3mf is not printed.",
+            "Lay the board and the charged battery into core_base, and lead the bay's wires out through the "
+            "hole of a locating pin. Test every sensor again, then glue core_lid on, its rim in the bay.",
+            "Fill the recesses flush with silicone, and all wire holes but the two of the locating pins; let "
+            "it cure. Keep wires clear of these pins.",
+        ]
     return [f"{_glued(spec)} Fill its recesses flush with silicone and let it cure. {hold}"]
 
 

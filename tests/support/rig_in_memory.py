@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
+from instobj.bench.rig.checked_plan import check_plan
 from instobj.bench.rig.clock import Clock
 from instobj.bench.rig.dialects import DIALECTS
 from instobj.bench.rig.journal import new_journal
@@ -19,7 +20,7 @@ from instobj.bench.rig.load_lines import NumberLines
 from instobj.bench.rig.machine import MachineLink
 from instobj.bench.rig.mounting import Mounting
 from instobj.bench.rig.plan import PressSettings, press_plan
-from instobj.bench.rig.run import carry_out, check_plan, make_ready, new_station
+from instobj.bench.rig.run import carry_out, make_ready, new_station
 from tests.support.grbl_simulator import GrblSimulator
 from tests.support.marlin_simulator import MarlinSimulator
 
@@ -36,6 +37,7 @@ class Silicone:
     MAGNETS = np.array([[x, y, -2.5] for x in (-6.0, 6.0) for y in (-6.0, 6.0)])
     CHIPS = np.array([[0.0, 8.6, -10.0], [-7.4, -4.3, -10.0], [7.4, -4.3, -10.0]])
     MOMENT_MT_MM3 = 600.0
+    SINKING_POWER = 1.0
 
     def __init__(self, stiffer=1.0):
         self.stiffer = stiffer
@@ -49,11 +51,18 @@ class Silicone:
         """(chip, 3): of dipoles along z that sink less the farther they are from the tip."""
         aside = np.linalg.norm(self.MAGNETS[:, :2] - xy_mm, axis=1)
         magnets = self.MAGNETS.copy()
-        magnets[:, 2] -= 0.7 * max(depth_mm, 0.0) * np.exp(-((aside / 7.0) ** 2))
+        sinking = 0.7 * max(depth_mm, 0.0) ** self.SINKING_POWER
+        magnets[:, 2] -= sinking * np.exp(-((aside / 7.0) ** 2))
         off = self.CHIPS[:, None] - magnets
         r = np.linalg.norm(off, axis=-1, keepdims=True)
         dipoles = 3 * off * off[..., 2:] / r**5 - np.array([0, 0, 1]) / r**3
         return self.MOMENT_MT_MM3 * dipoles.sum(axis=1)
+
+
+class FollowsForce(Silicone):
+    """Magnets sink as the force grows, as in the finite elements of the chain."""
+
+    SINKING_POWER = 1.5
 
 
 class OnLine:
@@ -181,19 +190,30 @@ class Bench(Clock):
 
 
 @contextmanager
-def at_bench(bench, spec, settings, folder: Path, middle_z_mm=TOP_MM, presses=1):
-    """Station and a call that carries out a plan of presses."""
-    plan = press_plan(spec, 3, PressSettings(**settings), 1, 1, 0, presses)
+def at_bench(
+    bench,
+    spec,
+    settings,
+    folder: Path,
+    middle_z_mm=TOP_MM,
+    presses=1,
+    by_travel=False,
+    reference_every=0,
+):
+    """Station and a call that carries out a plan of presses; `by_travel` without a load cell."""
+    plan = press_plan(spec, 3, PressSettings(**settings), 1, 1, reference_every, presses)
     mounting = Mounting((*MIDDLE_MM.tolist(), middle_z_mm), 0.0)
     recording = folder / "run.csv"
     journal = new_journal(recording, plan, mounting)
     link = MachineLink(bench.machine, "machine", clock=bench, dialect=DIALECTS[bench.dialect])
     loads = bench.loads() if bench.numbers else None
-    station = new_station(link, bench.chunks(), loads, spec, plan.settings.limit_n)
+    station = new_station(
+        link, bench.chunks(), loads, spec, plan.settings.limit_n, by_travel=by_travel
+    )
 
     def go():
         make_ready(station)
-        check_plan(spec, journal, station.machine)
+        check_plan(spec, journal, station.machine, by_travel)
         carry_out(station, spec, journal, recording, lambda _: None)
 
     yield station, go, journal

@@ -1,4 +1,4 @@
-"""Counts of the chips as the second witness of contact."""
+"""Counts of the chips as the second witness of contact, or as the only one without a load cell."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from jaxtyping import Float
 from design.errors import InputError
 from estimator.recordings.formats.generic import CHANNEL
 
-_FRAMES = 3
+FRAMES, MOST_FRAMES = 3, 10
 """Whose mean is compared with the level at rest: their noise is 0.58 of one frame's."""
 _SEEN, _UNSEEN = 6.0, 4.0
 """Times the noise of that mean. Of 45 channels one passes 6 by chance once in 10⁷ frames; the largest of 45
 stays below 4 in 997 frames of 1 000."""
+_LEAST_NOISE = 1e-9
 _DRIFT_S = 900.0
 """`sensors.drift_counts` is what a level drifts within 15 minutes, as a random walk."""
 _LONGEST_RUN = 5
@@ -35,7 +36,7 @@ class Chips:
 
     noise_counts: tuple[float, float, float]
     drift_counts: float
-    _last: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=_FRAMES))
+    _last: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=MOST_FRAMES))
     _rest: list[np.ndarray] = field(default_factory=list)
     _noise: np.ndarray = field(default_factory=lambda: np.zeros(0))
     _resting: bool = False
@@ -83,35 +84,35 @@ class Chips:
         self._resting, self._since_s = False, now_s
         axes = [match[2] for name in channels if (match := CHANNEL.fullmatch(name))]
         stated = np.array([self.noise_counts["XYZ".index(axis)] for axis in axes])
-        if len(self._rest) >= 2 * _FRAMES:
+        if len(self._rest) >= 2 * FRAMES:
             # Pooled over channels: the noise of a single one from few frames is uncertain itself.
             spread = np.nanstd(np.stack(self._rest), axis=0, ddof=1) / stated
             stated = stated * max(1.0, float(np.sqrt(np.nanmean(np.square(spread)))))
         self._noise = stated
 
-    def see(self, now_s: float) -> bool:
-        """Return whether some chip certainly sees a contact."""
-        departures, noise = self._departures(now_s)
-        return bool(np.any(departures > _SEEN * noise))
+    def see(self, now_s: float, frames: int = FRAMES) -> bool:
+        """Return whether some chip certainly sees a contact in the mean of the last frames."""
+        return bool(np.any(np.abs(self.change(now_s, frames)) > _SEEN))
 
     def see_nothing(self, now_s: float) -> bool:
         """Return whether no chip sees a contact."""
-        departures, noise = self._departures(now_s)
-        return departures.size > 0 and not np.any(departures > _UNSEEN * noise)
+        change = self.change(now_s)
+        return change.size > 0 and not np.any(np.abs(change) > _UNSEEN)
 
-    def _departures(
-        self, now_s: float
-    ) -> tuple[Float[np.ndarray, "channel"], Float[np.ndarray, "channel"]]:
-        """Return how far the last frames' mean is from the level at rest, and its noise.
+    def change(self, now_s: float, frames: int = FRAMES) -> Float[np.ndarray, "channel"]:
+        """Return the change of the last frames' mean from the level at rest, in units of its noise.
 
-        Without channels while the level is not known.
+        Of `MOST_FRAMES` at most. NaN where a channel does not speak; without channels while the level is not
+        known.
         """
-        if not self._rest or self._resting or len(self._last) < _FRAMES:
-            return np.zeros(0), np.zeros(0)
-        level, now = (_means(np.stack(list(part))) for part in (self._rest, self._last))
+        if not self._rest or self._resting or len(self._last) < frames:
+            return np.zeros(0)
+        last = list(self._last)[-frames:]
+        level, now = (_means(np.stack(part)) for part in (self._rest, last))
         drift = self.drift_counts**2 * max(now_s - self._since_s, 0.0) / _DRIFT_S
-        noise = np.sqrt(self._noise**2 * (1 / _FRAMES + 1 / len(self._rest)) + drift)
-        return np.abs(now - level), noise
+        noise = np.sqrt(self._noise**2 * (1 / frames + 1 / len(self._rest)) + drift)
+        # A channel whose stated noise is 0 counts as one that changes by any count.
+        return (now - level) / np.maximum(noise, _LEAST_NOISE)
 
 
 def _means(frames: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "channel"]:

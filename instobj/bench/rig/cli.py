@@ -47,7 +47,7 @@ def rig(
         typer.Option(
             metavar="PORT[=SCALE]",
             help="Separate serial port of a load cell; with newtons per unit where it sends one number "
-            "per line (=1 where lines name a unit).",
+            "per line (=1 where lines name a unit). none: no load cell, travel labels presses.",
         ),
     ] = None,
     face: Annotated[
@@ -95,7 +95,9 @@ def rig(
     board, baud = port_and_baud(board_port)
     load, load_scale = port_and_scale(load_port)
     if port is not None and board is not None:
-        ports = Ports(port, board, load, baud, load_scale)
+        by_travel = load == "none"
+        load = None if by_travel else load
+        ports = Ports(port, board, load, baud, load_scale, by_travel=by_travel)
     options = RigOptions(
         spec, machine, out, ports, tuple(face or ()), _mounting(middle), **plan_choices(plan or []),
         adaptive=adaptive, resume=resume, overrides=tuple(overrides or ()),

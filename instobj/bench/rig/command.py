@@ -14,6 +14,7 @@ from design.spec_io import load_spec
 from estimator.recordings.boards.growing import finish_recording
 from instobj.bench.collect.options import stop_on_signals
 from instobj.bench.rig.adaptive import adaptive_order
+from instobj.bench.rig.checked_plan import check_plan
 from instobj.bench.rig.dialects import dialect_named
 from instobj.bench.rig.journal import Journal, journal_path, new_journal, resumed_journal
 from instobj.bench.rig.mounting import Mounting
@@ -25,7 +26,7 @@ from instobj.bench.rig.plan import (
     stops_of,
 )
 from instobj.bench.rig.poses import poses, poses_text
-from instobj.bench.rig.run import Ports, carry_out, check_plan, station_on
+from instobj.bench.rig.run import Ports, carry_out, station_on
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
@@ -96,11 +97,12 @@ def _listed(spec: ObjectSpec, options: RigOptions) -> dict[str, Any]:
 def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
     given = dict(options.settings)
     full_n = given.get("full_n", PressSettings.full_n)
+    by_travel = options.ports is not None and options.ports.by_travel
     usual: dict[str, Any] = {}
     if options.adaptive:
-        usual = settings_of_few(spec, full_n)
+        usual = settings_of_few(spec, full_n, by_travel)
     elif "depths_mm" not in given:
-        usual = {"depths_mm": stops_of(spec, full_n)}
+        usual = {"depths_mm": stops_of(spec, full_n, by_travel)}
     settings = PressSettings(**(usual | given))
     presses, order = options.presses, None
     if options.adaptive:
@@ -132,17 +134,19 @@ def _pressed(
     limit_n = journal.plan.settings.limit_n
     dialect = dialect_named(options.machine)
     with station_on(ports, dialect, spec, limit_n) as station, stop_on_signals(station.stop):
-        plan_texts = check_plan(spec, journal, station.machine)
+        plan_texts = check_plan(spec, journal, station.machine, ports.by_travel)
         if not confirm(plan_texts):
             raise InputError("nothing was moved: the plan was not confirmed")
         with progress.stage("rig"):
             carry_out(station, spec, journal, recording, progress.step)
     line = station.decoder.statistics
+    label = "travel" if ports.by_travel else "force within a second"
     losses = (
         f"{line.lost_frames} frames lost, {line.damaged_lines} damaged lines, "
-        f"{station.rows.without_force} frames left out that had no force within a second"
+        f"{station.rows.unlabelled} frames left out that had no {label}"
     )
-    return _document(journal, recording, [losses, *filter(None, [line.wrapped_text])])
+    texts = [losses, *filter(None, [line.wrapped_text])]
+    return _document(journal, recording, texts, ports.by_travel)
 
 
 def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
@@ -164,11 +168,14 @@ def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
     return journal
 
 
-def _document(journal: Journal, recording: Path, losses: list[str]) -> dict[str, Any]:
+def _document(
+    journal: Journal, recording: Path, losses: list[str], by_travel: bool
+) -> dict[str, Any]:
     target = recording.with_suffix(".nc")
     frames = finish_recording(recording, target)
     plan = journal.plan
-    back = [journal.finished[k]["largest_n"] for k in range(len(plan)) if plan.reference[k]]
+    returns = [journal.finished[k] for k in range(len(plan)) if plan.reference[k]]
+    back = [event["largest_n"] for event in returns if "largest_n" in event]
     texts = [
         f"{len(journal.finished)} of {len(plan)} presses done, {frames} frames in the recording"
     ]
@@ -177,7 +184,8 @@ def _document(journal: Journal, recording: Path, losses: list[str]) -> dict[str,
             f"reference place: {back[0]:.2f} N at first, {back[-1]:.2f} N at last, {min(back):.2f} to "
             f"{max(back):.2f} N over {len(back)} returns"
         )
-    texts += [*losses, f"next: instobj recordings {target}"]
+    mechanics = " --spec FILE" if by_travel else ""
+    texts += [*losses, f"next: instobj recordings {target}{mechanics}"]
     return {
         "command": "rig",
         "presses": len(journal.finished),

@@ -36,6 +36,8 @@ _UNITS = {
     1e3: "they may be mN read as N",
 }
 """Causes of readings that are too large, by their factor."""
+_UNKNOWN_STIFFER = 2.0
+"""Factor between true and stated modulus where nobody knows its interval, as the moduli below differ."""
 LARGEST_RATIO = 10**0.5
 """Between measured and expected stiffness: a modulus is known within a factor of two (0.23 to 1.1 MPa were
 found where 0.41 was drawn), this law within 1.5, and a wrong unit is off by 4.4 and more (ozf 3.6)."""
@@ -75,6 +77,17 @@ def contact_law(spec: ObjectSpec) -> ContactLaw:
     steps = (slope[1:] + slope[:-1]) / 2 * np.diff(depths)
     layer = np.polynomial.polynomial.polyval(radius / shell_mm, _LAYER)
     return ContactLaw(depths, np.concatenate([[0.0], np.cumsum(steps)]) * layer)
+
+
+def travel_bound_mm(spec: ObjectSpec, limit_n: float) -> float:
+    """Return the travel below the stated surface that no press without a load cell exceeds.
+
+    Even at the upper end of the modulus' interval less than the limit (N) is expected there, and it lies
+    within `press.depths_mm`, where mechanics know the forces that a label by travel stands for.
+    """
+    modulus, interval = spec.silicone.youngs_modulus_mpa, spec.silicone.youngs_modulus_range_mpa
+    stiffer = _UNKNOWN_STIFFER if interval is None else max(interval[1] / modulus, 1.0)
+    return min(contact_law(spec).depth_mm(limit_n, stiffer), spec.press.depths_mm[-1])
 
 
 def likely_unit(ratio: float) -> str:

@@ -1,4 +1,4 @@
-"""Cycle of a machine on a press rig: start, moves, presses."""
+"""Cycle of a machine on a press rig: start, moves, rest."""
 
 from __future__ import annotations
 
@@ -12,15 +12,13 @@ from instobj.bench.rig.clock import Listening
 from instobj.bench.rig.machine import MachineFault, until
 from instobj.bench.rig.mounting import safe_height_mm
 from instobj.bench.rig.phases import Phase
-from instobj.bench.rig.plan import PressSettings
-from instobj.bench.rig.press_code import press_code
 from instobj.bench.rig.station import Spot, Station
 from instobj.bench.rig.stop import ARRIVED_MM, halt
 
-_PATIENCE_S = 5.0
+PATIENCE_S = 5.0
 _HOMING_S = 180.0
 _MOVE_S = 600.0
-_SILENT_S = 1.0
+SILENT_S = 1.0
 _WITHOUT_BOARD = 5
 """Times the patience where the board's clock stands still too."""
 _AVERAGED = 3
@@ -28,8 +26,10 @@ _FIRST_READINGS, _FIRST_FRAMES = 30, 10
 """At rest before anything moves: enough for the noise of cell and chips within a fifth."""
 _LARGEST_DRIFT_N = 1.0
 """Change of the load cell's level at rest beyond which the run stops."""
-_LEAST_MM = 0.1
-"""Depth below which a press has not happened."""
+APPROACH_MM_S = 2.0
+"""Speed on the way down before the object is touched."""
+_REST_FRAMES = 40
+"""Within which silicone is back at rest after a press."""
 
 
 def greet(station: Station) -> None:
@@ -48,7 +48,7 @@ def greet(station: Station) -> None:
         station.tick,
         lambda: bool(link.settings) and not link.unanswered,
         f"its settings ({', '.join(link.dialect.queries)})",
-        _PATIENCE_S,
+        PATIENCE_S,
     )
 
 
@@ -82,14 +82,13 @@ def raise_and_listen(station: Station) -> float:
     stopped."""
     stopped_mm = station.raise_tip()
     station.listen_again(stopped_mm)
-    last, cell = station.frames + 1, station.cell
-    first = cell.readings
+    last, first = station.frames + 1, station.readings
     until(
         station.machine,
         station.tick,
-        lambda: station.frames >= last and cell.readings > first,
+        lambda: station.frames >= last and station.readings > first,
         "board and load cell",
-        _PATIENCE_S,
+        PATIENCE_S,
     )
     return stopped_mm
 
@@ -104,7 +103,7 @@ def settle(
     MachineFault
         It stands still and answers nothing more, by our clock and the board's: characters were lost.
     """
-    link, silent_s, unanswered = station.machine, _SILENT_S + dwell_s, -1
+    link, silent_s, unanswered = station.machine, SILENT_S + dwell_s, -1
     listening = Listening(silent_s, link.clock)
     changed_s = listening.now_s, station.frame_ms / 1000
 
@@ -167,7 +166,8 @@ def learn_rest(station: Station) -> None:
         One of them says nothing that changes as readings do.
     """
     readings = _rest(station, _FIRST_FRAMES, _FIRST_READINGS)
-    station.cell.learn(readings, station.limit_n)
+    if station.cell is not None:
+        station.cell.learn(readings, station.limit_n)
 
 
 def take_tare(station: Station, frames: int) -> None:
@@ -178,8 +178,10 @@ def take_tare(station: Station, frames: int) -> None:
     InputError
         The cell left its last level by more than 1 N: something touches, or the cell is loose.
     """
-    cell = station.cell
-    level_n = cell.mean_n(_rest(station, frames, _AVERAGED))
+    cell, readings = station.cell, _rest(station, frames, _AVERAGED)
+    if cell is None:
+        return
+    level_n = cell.mean_n(readings)
     if abs(level_n - cell.tare_n) > _LARGEST_DRIFT_N:
         raise InputError(
             f"in the air the load cell says {level_n - cell.tare_n:+.2f} N. Something touches the tip, "
@@ -190,76 +192,41 @@ def take_tare(station: Station, frames: int) -> None:
 
 def _rest(station: Station, frames: int, readings: int) -> int:
     """Let frames and readings pass; how many readings there were."""
-    cell, last = station.cell, station.frames + frames
-    first = cell.readings
+    last, first = station.frames + frames, station.readings
     station.witnesses.chips.rest()
 
     def rested() -> bool:
-        return station.frames >= last and cell.readings >= first + readings
+        return station.frames >= last and station.readings >= first + readings
 
     until(station.machine, station.tick, rested, "rest", _MOVE_S)
     station.witnesses.chips.rested(station.channels, station.heard_s)
-    return cell.readings - first
+    return station.readings - first
 
 
-def press(
-    station: Station, spot: Spot, surface_mm: float, settings: PressSettings, rest_frames: int
-) -> float:
-    """Rest above a place, press it in strokes to every stop, come back up; returns the largest force
-    (N). A stroke ends early at the full force, and those after it go less deep."""
-    travel(station, spot)
-    station.surface_mm = surface_mm
-    station.recording = station.resting = True
-    take_tare(station, rest_frames)
-    station.resting, largest_n, remaining = False, 0.0, settings
-    while remaining is not None:
-        force_n, remaining = _strokes(station, surface_mm, remaining)
-        largest_n = max(largest_n, force_n)
-    require_at(station, (*spot.machine_mm, station.safe_mm))
-    return largest_n
+def soon(station: Station, met: Callable[[], bool], frames: int) -> bool:
+    """Return whether something is met within some frames."""
+    last = station.frames + frames
+    until(
+        station.machine,
+        station.tick,
+        lambda: met() or station.frames >= last,
+        "frames of the board",
+        _MOVE_S,
+    )
+    return met()
 
 
-def end_rows(station: Station) -> None:
-    """Record no more, and wait for travel and force of the frames that came last, a second at most."""
-    station.recording, listening = False, Listening(_SILENT_S, station.machine.clock)
-    last_s = listening.now_s + _SILENT_S
+def require_rest(station: Station) -> None:
+    """Wait until the chips are back at rest, with the tip up.
 
-    def finished() -> bool:
-        return not station.rows.waiting or listening.look() > last_s
-
-    until(station.machine, station.tick, finished, "the last frames' travel", _PATIENCE_S)
-
-
-def _strokes(
-    station: Station, surface_mm: float, settings: PressSettings
-) -> tuple[float, PressSettings | None]:
-    """Strokes until the full force; the largest force (N), and what is left to do, if anything."""
-    largest_n = 0.0
-
-    def full() -> bool:
-        nonlocal largest_n
-        largest_n = max(largest_n, station.cell.force_n)
-        return largest_n >= settings.full_n
-
-    parts = press_code(settings, surface_mm, station.safe_mm, station.machine.dialect.room_bytes)
-    # Heights are sent with two digits: the floor is as much lower.
-    station.enter(Phase.PRESSING, surface_mm - settings.depths_mm[-1] - 0.006)
-    for part in parts:
-        station.machine.send_whole(part)
-    if settle(station, max(settings.dwell_s, settings.pause_s), full):
-        station.enter(Phase.ABOVE, station.safe_mm)
-        return largest_n, None
-    ends = np.cumsum([len(part) for part in parts])
-    answered = int(ends[-1]) - station.machine.unanswered
-    begun = int(np.searchsorted(ends, answered, side="right")) + 1
-    stopped_mm = raise_and_listen(station)
-    reached_mm = surface_mm - stopped_mm
-    if reached_mm < _LEAST_MM:
+    Raises
+    ------
+    InputError
+        They still see a contact.
+    """
+    chips = station.witnesses.chips
+    if not soon(station, lambda: chips.see_nothing(station.heard_s), _REST_FRAMES):
         raise InputError(
-            f"{settings.full_n:g} N were met {reached_mm:.2f} mm below the height of touch. Does something "
-            "lie on the object, or has it moved?"
+            "the tip is up again, and the chips still see a contact. Does a chip lie, or has the object "
+            "moved?"
         )
-    strokes_left = settings.strokes - begun
-    return largest_n, settings.settings_after_full(
-        reached_mm, strokes_left
-    ) if strokes_left > 0 else None

@@ -58,9 +58,10 @@ DIALECTS = {
 """grblHAL speaks as Grbl, with more axes in its reports and another greeting. `M84S0`: motors stay on; after
 two minutes Marlin would let a tip that is up sink."""
 _REFUSED = {
-    "octoprint": "OctoPrint's HTTP interface does not hand on where the machine is, and a stop would wait "
-    "for a network: no bound would hold within a frame. Connect the machine's own USB to this computer and "
-    "take --machine marlin"
+    "octoprint": "OctoPrint's HTTP interface answers before a line is done, hands on the machine's reports "
+    "twice a second at most, lets others send lines, and a stop would wait for a network: no bound would "
+    "hold within a frame. Disconnect the machine in OctoPrint, and run this on the computer that its USB is "
+    "on, with --machine marlin"
 }
 
 

@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
-from instobj.bench.rig.contact_law import contact_law
+from instobj.bench.rig.contact_law import contact_law, travel_bound_mm
 
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
@@ -151,37 +151,48 @@ def plan_of(document: dict[str, Any]) -> PressPlan:
 
 
 def bounded_depths_mm(
-    spec: ObjectSpec, full_n: float = PressSettings.full_n
+    spec: ObjectSpec, full_n: float = PressSettings.full_n, by_travel: bool = False
 ) -> Float[np.ndarray, "depth"]:
-    """Depths of the specification at which less than the limit is expected, by `contact_law`.
+    """Depths of the specification at which less than the limit is expected, by `contact_law`; without a load
+    cell at the modulus' upper end too.
 
     Raises
     ------
     InputError
         There is none.
     """
-    deepest_mm = contact_law(spec).depth_mm(_LIMIT_SHARE * full_n)
+    limit_n = _LIMIT_SHARE * full_n
+    deepest_mm = (
+        travel_bound_mm(spec, limit_n) if by_travel else contact_law(spec).depth_mm(limit_n)
+    )
     depths = np.asarray(spec.press.depths_mm)
     if not (depths <= deepest_mm).any():
         raise InputError(
-            f"at {depths[0]:g} mm, the least of press.depths_mm, more than {_LIMIT_SHARE * full_n:g} N are "
+            f"at {depths[0]:g} mm, the least of press.depths_mm, more than {limit_n:g} N are "
             f"expected. Raise full_n, or give --plan depths_mm below {deepest_mm:.2f}"
         )
     return depths[depths <= deepest_mm]
 
 
-def stops_of(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> tuple[float, ...]:
+def stops_of(
+    spec: ObjectSpec, full_n: float = PressSettings.full_n, by_travel: bool = False
+) -> tuple[float, ...]:
     """Four of the bounded depths, evenly down to the deepest."""
-    depths = bounded_depths_mm(spec, full_n)
+    depths = bounded_depths_mm(spec, full_n, by_travel)
     wanted = depths[-1] * np.arange(1, STOPS + 1) * _SHARE
     nearest = np.unique(np.abs(depths - wanted[:, None]).argmin(axis=1))
     return tuple(depths[nearest].tolist())
 
 
-def settings_of_few(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> dict[str, Any]:
+def settings_of_few(
+    spec: ObjectSpec, full_n: float = PressSettings.full_n, by_travel: bool = False
+) -> dict[str, Any]:
     """Return settings by which few places are pressed well: each in strokes to three quarters of the
     deepest depth, so that every load has an unloaded level within two seconds (docs/measured/rig.md)."""
-    depths, wanted = bounded_depths_mm(spec, full_n), _FEW_SHARE * spec.press.depths_mm[-1]
+    depths, wanted = (
+        bounded_depths_mm(spec, full_n, by_travel),
+        _FEW_SHARE * spec.press.depths_mm[-1],
+    )
     deepest = depths[np.abs(depths - wanted).argmin()]
     return {"depths_mm": (float(deepest),)} | _OF_FEW
 

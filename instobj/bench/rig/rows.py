@@ -1,4 +1,7 @@
-"""Frames that wait for the machine's position and the load cell's force, before they are recorded."""
+"""Frames that wait for the machine's position and the load cell's force, before they are recorded.
+
+Without a load cell travel is the label, of frames below the surface; the others carry none.
+"""
 
 from __future__ import annotations
 
@@ -23,10 +26,11 @@ class _Row:
 @dataclass
 class Rows:
     """Rows wait for the machine's next report and the load cell's next reading, so that every frame has
-    its travel and its force; rows that the load cell left without are counted, not written."""
+    its travel and its force; rows that were left without their label are counted, not written."""
 
     growing: GrowingRecording | None = None
-    without_force: int = 0
+    by_travel: bool = False
+    unlabelled: int = 0
     _waiting: deque[_Row] = field(default_factory=deque)
 
     @property
@@ -50,22 +54,25 @@ class Rows:
             row.force_n = cell.force_at(row.time_s) if row.force_n is None else row.force_n
 
     def close(self) -> None:
-        """Write rows whose travel never came without it; count those without a force."""
-        rows_with_force = [row for row in self._waiting if row.force_n is not None]
-        self.without_force += len(self._waiting) - len(rows_with_force)
-        for row in rows_with_force:
+        """Write rows with a force whose travel never came without it; count those without their label."""
+        labelled = [row for row in self._waiting if row.force_n is not None and not self.by_travel]
+        self.unlabelled += len(self._waiting) - len(labelled)
+        for row in labelled:
             row.travel_mm = float("nan") if row.travel_mm is None else row.travel_mm
-        self._waiting = deque(rows_with_force)
+        self._waiting = deque(labelled)
         self._write()
 
     def _write(self) -> None:
         while self._waiting and self.growing is not None:
             row = self._waiting[0]
-            if row.travel_mm is None or row.force_n is None:
+            if row.travel_mm is None or (row.force_n is None and not self.by_travel):
                 return
             self._waiting.popleft()
-            if np.isnan(row.force_n):
-                self.without_force += 1
-                continue
-            last = [round(row.force_n, 4), *row.label, round(row.travel_mm, 4)]
-            self.growing.append([*row.signals, *last])
+            label = [*row.label, round(row.travel_mm, 4)]
+            if self.by_travel:
+                label = label if row.travel_mm > 0 else [np.nan] * len(label)
+                self.growing.append([*row.signals, *label])
+            elif row.force_n is None or np.isnan(row.force_n):
+                self.unlabelled += 1
+            else:
+                self.growing.append([*row.signals, round(row.force_n, 4), *label])

@@ -9,22 +9,19 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float
 
 from design.errors import InputError, InstobjError
-from design.layout.body import face_frame
 from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.growing import growing_recording
 from estimator.recordings.boards.link import serial_chunks
+from instobj.bench.rig.checked_plan import SENT_MM, expected_mm, spot_of
 from instobj.bench.rig.chips import Chips
-from instobj.bench.rig.contact_law import ContactLaw, contact_law
+from instobj.bench.rig.contact_law import contact_law, travel_bound_mm
 from instobj.bench.rig.cycle import (
-    end_rows,
     greet,
     home,
     learn_rest,
-    press,
     raise_and_listen,
     take_tare,
 )
@@ -34,30 +31,31 @@ from instobj.bench.rig.load_cell import LoadCell, largest_reading_n
 from instobj.bench.rig.load_lines import forces_on
 from instobj.bench.rig.machine import MachineFault, MachineLink, machine_link, until
 from instobj.bench.rig.mounting import (
+    UNEVEN_MM,
     Surface,
-    relief_mm,
-    require_travel,
-    require_upright,
     safe_height_mm,
     touch_places,
     touched_surface,
 )
 from instobj.bench.rig.phases import Phase
 from instobj.bench.rig.plan import PressSettings, face_places
-from instobj.bench.rig.press_code import press_code
+from instobj.bench.rig.press import end_rows, press
+from instobj.bench.rig.rows import Rows
 from instobj.bench.rig.station import Spot, Station
-from instobj.bench.rig.touch import BELOW_MM, touched
+from instobj.bench.rig.touch import touched
 from instobj.bench.rig.witnesses import Witnesses
 
 Say = Callable[[str], None]
 _AFTER_S = 1.0
 """Between the last row of a recording and the first that is added, at least."""
 _HEARD_S = 10.0
+_LEAST_ROOM_MM = 0.1
 
 
 @dataclass(frozen=True)
 class Ports:
-    """Ports of machine, board and load cell; `load_scale` None: the load cell sends lines `L`."""
+    """Ports of machine, board and load cell; `load_scale` None: the load cell sends lines `L`. Without a load
+    cell `by_travel` labels presses."""
 
     machine: str
     board: str
@@ -65,6 +63,7 @@ class Ports:
     board_baud: int = 115_200
     load_scale: float | None = None
     lost_s: float = 1.5
+    by_travel: bool = False
 
 
 @contextmanager
@@ -83,7 +82,7 @@ def station_on(
         loads = forces_on(ports.load, ports.board_baud, ports.load_scale)
     board = serial_chunks(ports.board, ports.board_baud, timeout_s=0.0)
     with machine_link(ports.machine, dialect) as link:
-        station = new_station(link, board, loads, spec, limit_n, ports.lost_s)
+        station = new_station(link, board, loads, spec, limit_n, ports.lost_s, ports.by_travel)
         make_ready(station)
         yield station
 
@@ -95,12 +94,16 @@ def new_station(
     spec: ObjectSpec,
     limit_n: float,
     lost_s: float = Ports.lost_s,
+    by_travel: bool = False,
 ) -> Station:
-    """Three lines with what the specification lets expect of cell and chips."""
-    cell = LoadCell(largest_reading_n(spec.load_cell) if loads is None else math.inf)
+    """Three lines with what the specification lets expect of cell and chips; `by_travel` without a cell."""
+    largest_n = largest_reading_n(spec.load_cell) if loads is None else math.inf
+    cell = None if by_travel else LoadCell(largest_n)
     chips = Chips(spec.sensors.noise_counts, spec.sensors.drift_counts)
     witnesses = Witnesses(cell, chips, contact_law(spec))
-    return Station(machine, board, loads, limit_n, lost_s, witnesses)
+    return Station(
+        machine, board, loads, limit_n, lost_s, witnesses, rows=Rows(by_travel=by_travel)
+    )
 
 
 def make_ready(station: Station) -> None:
@@ -114,7 +117,7 @@ def make_ready(station: Station) -> None:
     greet(station)
 
     def heard() -> bool:
-        return bool(station.channels and station.frames and station.cell.readings)
+        return bool(station.channels and station.frames and station.readings)
 
     try:
         until(station.machine, station.tick, heard, "board or load cell", _HEARD_S)
@@ -122,73 +125,9 @@ def make_ready(station: Station) -> None:
         missing = "load cell" if station.frames else "board"
         raise InputError(
             f"the {missing} said nothing sound within {_HEARD_S:g} s. Check --board-port, --load-port, "
-            "the baud rate, and that the load cell sends lines (`instobj docs recordings`)"
+            "the baud rate, and that the load cell sends lines (`instobj docs recordings`). A rig without "
+            "one labels presses by travel: --load-port none"
         ) from None
-
-
-def check_plan(spec: ObjectSpec, journal: Journal, machine: MachineLink) -> list[str]:
-    """The plan in words, checked against the machine.
-
-    Raises
-    ------
-    InputError
-        A face that leans, places out of the machine's travel, or presses too long for its buffer.
-    """
-    plan, mounting = journal.plan, journal.mounting
-    places = np.concatenate([plan.places_mm, touch_places(face_places(spec, plan.face))])
-    require_upright(spec, plan.face, places)
-    travel = machine.travel
-    reached_mm = mounting.machine_mm(face_frame(spec, plan.face).to_plane(places))
-    low, high = reached_mm.min(axis=0), reached_mm.max(axis=0)
-    corners = [(axis, float(end[k])) for k, axis in enumerate("XY") for end in (low, high)]
-    require_travel(travel, corners)
-    press_code(plan.settings, travel.low_mm[2], travel.top_mm, machine.dialect.room_bytes)
-    expected = _expected_mm(spec, journal, places)
-    lowest_mm = float(expected.min()) - BELOW_MM - plan.settings.depths_mm[-1]
-    require_travel(travel, [("Z", lowest_mm), ("Z", float(expected.max()))])
-    _require_bounded(contact_law(spec), plan.settings)
-    press, presses_left, strokes_text = plan.settings, len(journal.remaining), ""
-    if press.strokes > 1:
-        strokes_text = (
-            f", {press.strokes} strokes a press, "
-            f"from the second at {press.stroke_speed_mm_s:g} mm/s"
-        )
-    return [
-        f"face {plan.face} of {plan.object_name}: {presses_left} of {len(plan)} presses to do, about "
-        f"{plan.seconds * presses_left / len(plan) / 60:.0f} minutes",
-        f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
-        f"{travel.top_mm:g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} "
-        f"mm; {BELOW_MM:g} mm below it the way down ends, whatever the load cell says",
-        f"stops {', '.join(f'{depth:g}' for depth in press.depths_mm)} mm below the first touch, "
-        f"{press.speed_mm_s:g} mm/s{strokes_text}; a press ends at {press.full_n:g} N, "
-        f"everything stops at {press.limit_n:.3g} N",
-        "the machine homes first, upwards; keep hands away and the emergency stop near",
-    ]
-
-
-def _require_bounded(law: ContactLaw, settings: PressSettings) -> None:
-    deepest_mm, most_mm = settings.depths_mm[-1], law.depth_mm(settings.limit_n)
-    if deepest_mm > most_mm:
-        raise InputError(
-            f"--plan depths_mm={deepest_mm:g}: about {law.force_n(deepest_mm):.0f} N are expected there, and "
-            f"everything stops at {settings.limit_n:.3g} N. Give --plan depths_mm below {most_mm:.2f}, or "
-            "raise full_n"
-        )
-
-
-def _expected_mm(
-    spec: ObjectSpec, journal: Journal, xy_mm: Float[np.ndarray, "place 2"]
-) -> Float[np.ndarray, "place"]:
-    """Machine Z of the specification's surface at places, as it was mounted."""
-    return journal.mounting.middle_mm[2] + relief_mm(spec, journal.plan.face, xy_mm)
-
-
-def spot_of(spec: ObjectSpec, journal: Journal, xy_mm: tuple[float, float]) -> Spot:
-    """A place with its tips and the machine's X and Y."""
-    tips = np.asarray(xy_mm) + tip_places_mm(spec.indenter)
-    over = face_frame(spec, journal.plan.face).to_plane(np.array(xy_mm))
-    x, y = journal.mounting.machine_mm(over).tolist()
-    return Spot(journal.plan.face, tuple((float(a), float(b)) for a, b in tips), (x, y))
 
 
 def carry_out(
@@ -204,7 +143,13 @@ def carry_out(
     tips = len(tip_places_mm(spec.indenter))
     journal.begin()
     with growing_recording(
-        recording, station.channels, 1, tips, journal.session, travel=True
+        recording,
+        station.channels,
+        1,
+        tips,
+        journal.session,
+        travel=True,
+        force=not station.rows.by_travel,
     ) as station.rows.growing:
         station.clock.not_before_s = station.rows.growing.last_s + _AFTER_S
         try:
@@ -236,31 +181,68 @@ def raised(station: Station) -> str:
 
 def _presses(station: Station, spec: ObjectSpec, journal: Journal, say: Say) -> None:
     plan = journal.plan
+    bound_mm = math.inf
+    if station.cell is None:
+        bound_mm = travel_bound_mm(spec, station.limit_n)
     home(station)
     learn_rest(station)
-    surface, stiffness = _touched_surface(station, spec, journal)
+    surface, stiffness = _touched_surface(station, spec, journal, bound_mm)
     # As stiff as measured or as expected, whichever is more: the limit must hold where the cell lies.
     deepest_mm = station.witnesses.law.depth_mm(station.limit_n, max(stiffness, 1.0))
     settings = plan.settings.down_to(deepest_mm)
+    stiff_text = "" if station.cell is None else f"{stiffness:.2f} times as stiff as expected; "
     journal.note("touched", plane=list(surface.plane), uneven_mm=surface.uneven_mm)
     say(
         f"touched at Z = {surface.plane[0]:.2f} mm, uneven by {surface.uneven_mm:.2f} mm, "
-        f"{stiffness:.2f} times as stiff as expected; presses end {settings.depths_mm[-1]:.2f} mm deep"
+        f"{stiff_text}presses end {settings.depths_mm[-1]:.2f} mm deep"
     )
     wanted_mm = _highest(surface, journal) + plan.settings.clearance_mm
     station.safe_mm = safe_height_mm(station.machine.travel.top_mm, wanted_mm)
     raise_and_listen(station)
     rest_frames = max(5, round(plan.settings.rest_s * spec.sensors.frame_rate_hz))
     for number in journal.remaining:
-        spot = spot_of(spec, journal, plan.places_mm[number])
+        spot = spot_of(spec, journal, plan.places_mm[number], bound_mm)
         height_mm = float(surface.height_mm(np.array(plan.places_mm[number])))
+        # A surface that was touched lower than stated is pressed less deep: the bound stands.
+        room_mm = height_mm - spot.lowest_mm - SENT_MM
+        if room_mm < _LEAST_ROOM_MM:
+            raise InputError(
+                f"the surface was touched {bound_mm - room_mm:.1f} mm below where --middle has it, and "
+                f"nothing may go {bound_mm:.1f} mm below that. Touch off again"
+            )
+        bounded = settings.down_to(room_mm)
+        if station.cell is None and plan.reference[number] and journal.finished:
+            _require_same_surface(station, spec, spot, height_mm, plan.settings)
         journal.note("begun", press=number, row=_rows(station))
-        largest_n = press(station, spot, height_mm, settings, rest_frames)
-        journal.note("finished", press=number, row=_rows(station), largest_n=round(largest_n, 3))
-        say(f"press {len(journal.finished)} of {len(plan)}: {largest_n:.2f} N")
+        largest_n = press(station, spot, height_mm, bounded, rest_frames)
+        force = {} if station.cell is None else {"largest_n": round(largest_n, 3)}
+        journal.note("finished", press=number, row=_rows(station), **force)
+        reached = f"{largest_n:.2f} N" if force else f"{bounded.depths_mm[-1]:.2f} mm"
+        say(f"press {len(journal.finished)} of {len(plan)}: {reached}")
     station.resting = True  # the last press has an unloaded level behind it too
     take_tare(station, rest_frames)
     end_rows(station)
+
+
+def _require_same_surface(
+    station: Station, spec: ObjectSpec, spot: Spot, height_mm: float, settings: PressSettings
+) -> None:
+    """Touch the reference place again: small losses of steps add up, and no force shows them.
+
+    Raises
+    ------
+    InputError
+        Its surface is elsewhere than before.
+    """
+    safe_mm, station.recording = station.safe_mm, False
+    again_mm = float(touched(station, spec, [spot], np.array([height_mm]), settings)[0][0])
+    station.safe_mm = safe_mm
+    raise_and_listen(station)
+    if abs(again_mm - height_mm) > UNEVEN_MM:
+        raise InputError(
+            f"the reference place is touched at Z = {again_mm:.2f} mm, and was at {height_mm:.2f} mm. Has "
+            "the machine lost steps, or has the object moved?"
+        )
 
 
 def _rows(station: Station) -> int:
@@ -272,10 +254,12 @@ def _highest(surface: Surface, journal: Journal) -> float:
     return float(surface.height_mm(np.array(journal.plan.places_mm)).max())
 
 
-def _touched_surface(station: Station, spec: ObjectSpec, journal: Journal) -> tuple[Surface, float]:
+def _touched_surface(
+    station: Station, spec: ObjectSpec, journal: Journal, bound_mm: float
+) -> tuple[Surface, float]:
     plan = journal.plan
     places = touch_places(face_places(spec, plan.face))
-    spots = [spot_of(spec, journal, (float(x), float(y))) for x, y in places]
-    expected_mm = _expected_mm(spec, journal, places)
-    heights_mm, stiffness = touched(station, spec, spots, expected_mm, plan.settings)
+    spots = [spot_of(spec, journal, (float(x), float(y)), bound_mm) for x, y in places]
+    stated_mm = expected_mm(spec, journal, places)
+    heights_mm, stiffness = touched(station, spec, spots, stated_mm, plan.settings)
     return touched_surface(spec, plan.face, places, heights_mm), stiffness

@@ -42,11 +42,15 @@ class Silence(InputError):
 
 @dataclass(frozen=True)
 class Spot:
-    """Spot that the tips are or will press: face, place and tips on it (mm), the machine's X and Y."""
+    """Spot that the tips are or will press: face, place and tips on it (mm), the machine's X and Y.
+
+    `lowest_mm` is the machine's Z below which nothing goes there, whatever any sensor says.
+    """
 
     face: int
     tips_mm: tuple[tuple[float, float], ...]
     machine_mm: tuple[float, float]
+    lowest_mm: float = -math.inf
 
 
 @dataclass
@@ -93,9 +97,14 @@ class Station:
         return self.rows.growing
 
     @property
-    def cell(self) -> LoadCell:
-        """The first witness of contact."""
+    def cell(self) -> LoadCell | None:
+        """The first witness of contact, where there is one."""
         return self.witnesses.cell
+
+    @property
+    def readings(self) -> int:
+        """Readings of the load cell; frames where there is none."""
+        return self.frames if self.cell is None else self.cell.readings
 
     @property
     def heard_s(self) -> float:
@@ -115,7 +124,8 @@ class Station:
     def enter(self, phase: Phase, floor_mm: float = math.inf) -> None:
         """Go on with something else, down to a height at most (machine's Z); without one no move is sent."""
         require_following(self.phase, phase)
-        self.phase, self.machine.floor_mm = phase, floor_mm
+        lowest_mm = -math.inf if self.spot is None else self.spot.lowest_mm
+        self.phase, self.machine.floor_mm = phase, max(floor_mm, lowest_mm)
         self._deaf_mm = {}
         self.witnesses.begin()
 
@@ -174,7 +184,9 @@ class Station:
 
     def expect(self) -> None:
         """Count silence from now on."""
-        self._board_s = self.cell.heard_s = self._state_s = self._listening.now_s
+        self._board_s = self._state_s = self._listening.now_s
+        if self.cell is not None:
+            self.cell.heard_s = self._listening.now_s
 
     def _ask(self, now_s: float) -> None:
         self._asked_s = now_s
@@ -184,7 +196,7 @@ class Station:
         messages = [] if self.board is None else self.decoder.feed(next(self.board))
         for message in messages:
             if isinstance(message, Load) and self.loads is None and message.cell == 1:
-                self._take_load(message)
+                self._take_load(message, self._only_cell())
             elif isinstance(message, Header):
                 self._take_header(message)
             elif isinstance(message, Frame):
@@ -194,27 +206,34 @@ class Station:
     def _take_loads(self) -> int:
         forces = [] if self.loads is None else next(self.loads)
         for force_n in forces:
-            self._take_force(force_n, self.machine.clock.now_s())
+            self._take_force(force_n, self.machine.clock.now_s(), self._only_cell())
         return len(forces)
 
-    def _take_load(self, load: Load) -> None:
+    def _only_cell(self) -> LoadCell:
+        if self.cell is None:
+            raise InputError(
+                "the board sends forces of a load cell. Leave --load-port none out: a force can stop a press"
+            )
+        return self.cell
+
+    def _take_load(self, load: Load, cell: LoadCell) -> None:
         late_s = (self.frame_ms - load.board_ms) / 1000
         if self.phase in DOWNWARD and _LATE_S < late_s < self.lost_s + _LATE_S:
             raise Silence(
                 f"the load cell's readings are {late_s:.1f} s older than the frames beside them. A force "
                 "that comes late cannot stop a press; read the cell faster"
             )
-        self._take_force(load.force_n, load.board_ms / 1000)
+        self._take_force(load.force_n, load.board_ms / 1000, cell)
 
-    def _take_force(self, force_n: float, time_s: float) -> None:
-        self.cell.take(force_n, time_s)
-        self.cell.heard_s = self._listening.now_s
+    def _take_force(self, force_n: float, time_s: float, cell: LoadCell) -> None:
+        cell.take(force_n, time_s)
+        cell.heard_s = self._listening.now_s
         self._deaf_mm["load cell"] = self.height_mm
-        self.rows.loaded(self.cell)
-        if self.cell.tared and abs(self.cell.force_n) > self.limit_n:
+        self.rows.loaded(cell)
+        if cell.tared and abs(cell.force_n) > self.limit_n:
             self.machine.hold()
             raise ForceBeyondLimit(
-                f"the load cell says {self.cell.force_n:.2f} N, more than the limit of {self.limit_n:.3g} N"
+                f"the load cell says {cell.force_n:.2f} N, more than the limit of {self.limit_n:.3g} N"
             )
 
     def _take_header(self, header: Header) -> None:
@@ -228,7 +247,7 @@ class Station:
         self._board_s, heard_s = self._listening.now_s, self.machine.clock.now_s()
         self._ask(heard_s)
         self._deaf_mm["board"] = self.height_mm
-        self.witnesses.take_frame(self.height_mm, self._board_s)
+        self.witnesses.take_frame(self.height_mm, self.surface_mm, self._board_s)
         if not self.recording or self.growing is None or self.spot is None:
             return
         time_s = self.clock.time_s(frame.board_ms, self.machine.clock.epoch_s())
@@ -236,7 +255,8 @@ class Station:
         head = [time_s, float(self.growing.session), float(self.resting)]
         at_s = frame.board_ms / 1000 if self.loads is None else heard_s
         self.rows.add(at_s, [*head, *frame.counts], [float(self.spot.face), *tips])
-        self.rows.loaded(self.cell)
+        if self.cell is not None:
+            self.rows.loaded(self.cell)
 
     def _take_machine(self) -> None:
         self.machine.poll()
@@ -264,17 +284,21 @@ class Station:
     def _watch(self) -> None:
         if self.stopped:
             raise InputError("stopped by the user")
-        heard = {"board": self._board_s, "load cell": self.cell.heard_s}
+        heard = {"board": self._board_s}
+        if self.cell is not None:
+            heard["load cell"] = self.cell.heard_s
         if self.machine.trusted:
             heard["machine"] = self._state_s
         for who, heard_s in heard.items():
             if heard_s and self.heard_s - heard_s > self.lost_s:
                 raise Silence(f"the {who} has said nothing for {self.lost_s:g} s. Check its cable")
-        if self.cell.tared:
+        if self.cell is not None and self.cell.tared:
             self.cell.require_alive(self.height_mm, self.witnesses.touch_n)
         if self.phase in DOWNWARD:
             self._require_heard_on_the_way()
             self.witnesses.require_agreement(self.surface_mm - self.height_mm)
+        if self.phase is Phase.NEARING:
+            self.witnesses.require_clear(self.height_mm - self.surface_mm, self.heard_s)
 
     def _require_heard_on_the_way(self) -> None:
         """Stop a tip that goes on below the surface while nobody knows what it meets."""

@@ -1,6 +1,7 @@
 """Parts to order: the paper's cube whole, and what differs for other objects."""
 
 import csv
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -90,6 +91,14 @@ def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_wast
     assert (item.item, item.count, item.volume_cm3) == ("print pin", 3, 6.0)
     assert item.mass_g == pytest.approx(6.0 * 1.27)
     assert item.note == "pin.3mf; 1.0 × 2.0 × 3.0 mm each"
+    closed = spec.changed(
+        body=spec.body.changed(open_faces=()), core=spec.core.changed(bay_mm=(9.0, 9.0, 9.0))
+    )
+    halves = [replace(parts[0], name=name) for name in ("core", "core_base", "core_lid")]
+    names = [
+        part.item for part in printed_items(closed, BuildManifest("cube", "", tuple(halves), {}))
+    ]
+    assert names == ["print core_base", "print core_lid"]
     amount = silicone_amount(spec)
     magnets = 25 * np.pi * 3.0**2 * 1.0
     assert amount.volume_cm3 == pytest.approx((sealed_volume_mm3(spec) - magnets) / 1e3)

@@ -9,7 +9,7 @@ import pytest
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
-from estimator.adoption.arrangement import moving_bodies, told_arrangement
+from estimator.adoption.arrangement import LEAST_EXPLAINED, moving_bodies, told_arrangement
 from estimator.adoption.boards import boards_of_faces
 from estimator.adoption.convention import TURNS, best_convention
 from estimator.adoption.fit import (
@@ -104,6 +104,18 @@ def test_who_moves_is_told_from_presses_of_an_independent_model(arrangement):
     assert (found.reverse > found.normal) == reverse
     assert found.p < 0.05
     assert max(found.reverse, found.normal) > 0.8
+
+
+@pytest.mark.slow
+def test_magnets_in_wrong_places_do_not_decide_the_arrangement():
+    """One magnet over every chip explains a normal object better in reverse, and neither way well."""
+    pressed = readings(spec_of("sensors-in-core"))
+    over_chips = ((8.5, 0.0), (-4.3, 7.4), (-4.3, -7.4))
+    spec = ObjectSpec.model_validate(content("sensors-in-core", over_chips))
+    found = told_arrangement(spec, [pressed])
+    assert found.reverse > found.normal
+    assert max(found.reverse, found.normal) < LEAST_EXPLAINED
+    assert found.finding.answer == "cannot be told"
 
 
 def test_places_of_all_faces_decide_the_arrangement_together():

@@ -218,6 +218,11 @@ def test_the_force_at_a_travel_is_that_of_the_law():
     np.testing.assert_allclose(found, COEFFICIENT * travel**1.5, rtol=1e-6)
 
 
+def test_a_machine_s_last_step_is_the_deepest_press_still():
+    ends = hertz((1.0, 2.0)).press_forces(np.ones(2, int), np.zeros((2, 2)), np.array([2.0, 2.01]))
+    assert ends[0] == ends[1] == pytest.approx(COEFFICIENT * 2.0**1.5)
+
+
 def test_a_travel_beyond_the_simulated_presses_is_refused():
     with pytest.raises(RecordingError, match=r"reach 2.5 mm.*press.depths_mm"):
         hertz((1.0, 2.0)).press_forces(np.ones(1, int), np.zeros((1, 2)), np.array([2.5]))

@@ -62,6 +62,15 @@ def test_silicone_by_hand():
     assert "as the maker says" in silicone_amount(unknown).mixing
 
 
+def test_a_bay_in_a_closed_core_is_filled_and_closed_before_casting():
+    closed = parsed(body={"open_faces": []}, core={"bay_mm": [9, 9, 9]})
+    said = steps(closed, ("core", "core_base", "core_lid"))
+    order = [next(k for k, step in enumerate(said) if word in step) for word in
+             ("core.3mf is not printed", "charged battery into core_base", "release agent")]  # fmt: skip
+    assert order == sorted(order)
+    assert not any("core_lid" in step for step in steps(parsed(body={"open_faces": []}), ("core",)))
+
+
 def test_the_bill_counts_everything(tmp_path):
     spec = parsed(magnets={"positions_mm": [[0, 0], [9, 8]], "north": ["outward", "inward"]})
     write_bom(bill_of_materials(spec, MANIFEST, None), tmp_path / "bom.csv")

@@ -13,7 +13,15 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import encode_header
 from instobj.bench.rig.dialects import DIALECTS
-from tests.support.rig_in_memory import CHANNELS, FRAME_S, TOP_MM, Bench, Silicone, at_bench
+from tests.support.rig_in_memory import (
+    CHANNELS,
+    FRAME_S,
+    TOP_MM,
+    Bench,
+    FollowsForce,
+    Silicone,
+    at_bench,
+)
 
 SPEC = ObjectSpec(name="cube", contact_grid={"count": [2, 2], "pitch_mm": 12.0})
 DEPTHS_MM = (1.0, 2.0)
@@ -221,6 +229,57 @@ def machine_says(change, begin):
     return plant
 
 
+def nobody(_):
+    """No load cell says anything."""
+
+
+def steps_lost(up_mm, met=lambda bench: bench.depth_mm < -2.0):
+    """A machine whose tip stays lower (higher: negative) than it reports, once it has pressed."""
+
+    def plant(bench):
+        pressed = in_press(bench)
+
+        def lose():
+            bench.machine.shift = bench.machine.shift - np.array([0.0, 0.0, up_mm])
+
+        When(bench, lambda: pressed.begun and met(bench), lose)
+
+    return plant
+
+
+def chip_jumps(begin, counts=400.0):
+    """One chip leaves its level for good."""
+
+    def plant(bench):
+        when = begin(bench)
+        off = np.zeros((3, 3))
+        off[1] = counts
+        bench.counts = from_then(when, lambda values: values + off)
+
+    return plant
+
+
+def chip_stuck(bench):
+    """One chip says its first reading for ever."""
+    first = []
+
+    def counts(values):
+        first.append(values[1])
+        return np.vstack([values[:1], first[:1], values[2:]])
+
+    bench.counts = counts
+
+
+def steel_in_the_tip(bench):
+    """The chips see it from some millimetres away."""
+
+    def counts(values):
+        above_mm = max(-bench.depth_mm, 0.0)
+        return values + np.round(900.0 / (1.0 + above_mm) ** 2)
+
+    bench.counts = counts
+
+
 def nothing(_):
     return b""
 
@@ -336,7 +395,7 @@ def lifting_line_lost(bench):
 
 def deeper_by_a_digit(bench):
     """The second stop of a press arrives as 6 mm deeper."""
-    bench.machine.heard = lambda data: re.sub(rb"Z-20(?=\n|F)", b"Z-26", data)
+    bench.machine.heard = lambda data: re.sub(rb"Z-(20|19\.9\d)(?=\n|F)", b"Z-26", data)
 
 
 STILL, BOARD_STILL = "stands still", "board in a row are the same"
@@ -553,6 +612,64 @@ def test_a_marlin_that_cannot_be_stopped_or_would_home_onto_the_object_is_refuse
     assert bench.depth_mm == pytest.approx(-18.0)
 
 
+BY_TRAVEL = {
+    name: FAULTS[name][1]
+    for name in (
+        *("frames stuck in a press", "frames stuck on its way down", "chips dead in a press"),
+        *("chips dead from the first way down", "header storm", "headers without frames"),
+        *("headers of other channels", "another header while stopping", "garbage without end"),
+        *("reset in a press", "reset while stopping", "reset to zero, unlocked"),
+        *("reset to zero while stopping", "alarm in a press", "soft limit in a press"),
+        *("a line refused", "ok lost in a press", "ok lost on its way down", "ok late"),
+        *("deaf machine", "silent machine", "characters lost", "position frozen"),
+        *("line fails while stopping", "Ctrl-C in a press", "Ctrl-C while stopping"),
+        *("grblHAL reset in a press", "a machine that starts anew at the stop"),
+        *("the lifting line lost", "an axis stuck", "a digit changed on its way to a press"),
+    )
+} | {
+    "board says its last lines for ever": BOARD_STILL,
+    "half a line without end": "board has said nothing",
+}
+"""Faults without a load cell that are as with one, and those that only the cell's line told."""
+CLEAR, BACK = "mm above the surface. Has the machine lost steps", "the chips still see a contact"
+WITHOUT_CELL = {
+    "steps lost upwards": (steps_lost(1.6), f"{CLEAR}.*{UP}"),
+    "steps lost downwards": (steps_lost(-3.0), f"no chip sees a contact.*{UP}"),
+    "the only chip stuck that sees a place": (chip_stuck, "no chip sees a contact"),
+    "a chip jumps on its way down": (chip_jumps(seeking), f"{BACK}.*{UP}"),
+    "a chip jumps in a press": (chip_jumps(in_press), f"{BACK}.*{UP}"),
+    "steel in the tip": (steel_in_the_tip, "steel|above where --middle"),
+    "a load cell after all": (lambda bench: setattr(bench, "cell", lambda n: n), "sends forces"),
+}
+
+
+SLOW_MARLIN = [
+    pytest.param(name, marks=pytest.mark.slow) if name == "marlin" else name for name in DIALECTS
+]
+
+
+@pytest.mark.parametrize("dialect", SLOW_MARLIN)
+@pytest.mark.parametrize("name", [*slow_where_alike(BY_TRAVEL), *WITHOUT_CELL])
+def test_no_fault_drives_the_tip_into_the_object_without_a_load_cell(tmp_path, name, dialect):
+    """Nothing but the chips and the stated surface bounds the travel then."""
+    plant, words = WITHOUT_CELL.get(name) or (FAULTS[name][0], BY_TRAVEL[name])
+    if dialect == "marlin":
+        words = AT_MARLIN.get(name, words)
+        if name in ("soft limit in a press", "grblHAL reset in a press"):
+            pytest.skip("is of Grbl")
+    bench = Bench(FollowsForce(), dialect=dialect)
+    bench.cell = nobody
+    plant(bench)
+    error, done = ended(bench, tmp_path, by_travel=True)
+    require_unharmed(bench)
+    if words is None:
+        assert error is None
+        assert len(done) == 2
+    else:
+        require_told(bench, error)
+        assert re.search(words, error), error
+
+
 FAST = SETTINGS | {"speed_mm_s": 4.0, "strokes": 3, "pause_s": 0.6, "depths_mm": DEPTHS_MM[1:]}
 
 
@@ -565,6 +682,21 @@ def test_no_fault_harms_other_objects_at_other_speeds(tmp_path, name, dialect, s
     bench = Bench(Silicone(stiffer), seed=1, dialect=dialect)
     FAULTS[name][0](bench)
     error, _ = ended(bench, tmp_path, settings)
+    require_unharmed(bench)
+    if error is not None:
+        require_told(bench, error)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stiffer", [0.6, 1.8])
+@pytest.mark.parametrize("settings", [SETTINGS, FAST])
+@pytest.mark.parametrize("name", [*BY_TRAVEL, *WITHOUT_CELL])
+def test_no_fault_harms_other_objects_without_a_load_cell(tmp_path, name, settings, stiffer):
+    """Up to the stiffest silicone of the specification: its law says 10 N at 2 mm, the object gives 9.8 N."""
+    bench = Bench(FollowsForce(stiffer), seed=1)
+    bench.cell = nobody
+    (WITHOUT_CELL.get(name) or FAULTS[name])[0](bench)
+    error, _ = ended(bench, tmp_path, settings, by_travel=True)
     require_unharmed(bench)
     if error is not None:
         require_told(bench, error)

@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from design.errors import InputError
+from design.errors import InputError, RecordingError
+from estimator.recordings.formats.files import read_table
 from estimator.recordings.reading import read_recording
 from instobj.bench.rig.command import RigOptions, rig
 from instobj.bench.rig.mounting import Mounting
@@ -95,6 +96,47 @@ def test_presses_are_done_as_planned_and_recorded(tmp_path, numbers):
     for row in still:
         wanted = hertz(1.0, (row["cell1_x1_mm"], row["cell1_y1_mm"]))
         assert abs(row["cell1_force_n"] - wanted) < (1.0 if numbers else 0.2)
+
+
+def test_the_command_presses_without_a_load_cell_and_its_recording_is_read(tmp_path):
+    with bench() as made:
+        made.load_silent = True
+        given = options(made, tmp_path, presses=1, settings={"speed_mm_s": 2.0})
+        ports = replace(given.ports, by_travel=True)
+        done = rig(replace(given, ports=ports), yes)
+        require_tip_up(made)
+    assert done["presses"] == 1
+    assert done["reference_n"] == []
+    assert done["texts"][-1].endswith("run.nc --spec FILE")
+    table = read_table(tmp_path / "run.nc")
+    assert table.labelled_by_travel
+    assert np.nanmax(table.travel_mm) == pytest.approx(2.0, abs=0.02)
+    assert events(tmp_path, "finished")[0].keys() == {"event", "press", "row"}
+
+
+@pytest.mark.slow
+def test_a_run_without_a_load_cell_goes_on_after_a_fault_and_only_without_one(tmp_path):
+    def by_travel(made, **choice):
+        given = options(made, tmp_path, presses=3, **choice)
+        return replace(given, ports=replace(given.ports, by_travel=True))
+
+    with bench() as made:
+        made.load_silent = True
+        made.plan = once(lambda made: setattr(made, "board_silent", True), second_press)
+        with pytest.raises(InputError, match=r"board has said nothing.*tip is up"):
+            rig(by_travel(made), yes)
+        before = rows_of(tmp_path)
+        require_tip_up(made)
+        made.board_silent = made.load_silent = False
+        with pytest.raises(RecordingError, match="other columns"):
+            rig(options(made, tmp_path, presses=3, resume=True), yes)
+        require_tip_up(made)
+        made.load_silent = True
+        done = rig(by_travel(made, resume=True), yes)
+        require_tip_up(made)
+    assert rows_of(tmp_path)[: len(before)] == before
+    assert done["presses"] == 3
+    assert max(row["travel_mm"] or 0.0 for row in rows_of(tmp_path)) == pytest.approx(2.0, abs=0.02)
 
 
 def test_a_board_that_reads_its_load_cell_labels_frames_at_their_time(tmp_path):
