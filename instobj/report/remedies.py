@@ -14,6 +14,7 @@ from typing import Any
 from design.spec.object import ObjectSpec
 from instobj.report.cells import GO, NO_GO, percent_text
 from instobj.report.verdict import (
+    LEAST_REACHED,
     judge,
     located_text,
     objects_text,
@@ -28,8 +29,6 @@ from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
 """Price and time by hand of a magnet and of a sensor on its board. A magnet's pole is found and it is
 pressed in; a sensor gets five wires and is tested and glued. Estimates, to compare changes by."""
-_MOST_UNREACHED = 0.5
-"""Share of the locations whose deepest press stays below the force, beyond which a change is none."""
 _BEST = 7
 """Remedies in the table."""
 
@@ -79,7 +78,7 @@ def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
     candidates = [
         remedy
         for remedy in changed
-        if _distance(remedy) < _distance(specified) and remedy.unreached <= _MOST_UNREACHED
+        if _distance(remedy) < _distance(specified) and remedy.unreached <= 1 - LEAST_REACHED
     ]
     enough = {
         remedy.changes[0] for remedy in candidates if remedy.turns and len(remedy.changes) == 1
@@ -139,7 +138,7 @@ def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, A
     better = {
         remedy: bound
         for remedy, bound in after.items()
-        if bound < now and remedy.unreached <= _MOST_UNREACHED
+        if bound < now and remedy.unreached <= 1 - LEAST_REACHED
     }
     if not better:
         return f"{text}; none of the changes tried makes them better"

@@ -18,6 +18,9 @@ from instobj.report.cells import percent_text
 
 ENOUGH_COVERED = 0.8
 """Share of the surface from which little of it is left out."""
+LEAST_REACHED = 0.5
+"""Share of the contact locations that reach `score.force_n`, below which bounds at that force say little of
+the object."""
 
 
 @dataclass(frozen=True)
@@ -92,6 +95,7 @@ def judge(
         _position(spec, scores),
         _detection(spec, scores),
         _saturation(spec, saturation_margin, objects),
+        _reach(spec, scores),
     )
     tightest = max(checks, key=lambda check: check.ratio)
     place = tightest.where.split(". ", 1)[0]  # sentences about other locations stand in the table
@@ -156,11 +160,13 @@ def located_text(spec: ObjectSpec, scores: PlaceScores) -> str:
         _shown(value, limit, "mm", "not at all")
         for value in (float(np.median(bound)), bound_of_most(bound), weakest.position_bound_mm)
     )
+    judged = "" if len(bound) == scores.places.sum() else "judged "
     return (
         f"a press of {spec.score.force_n:g} N is located within {median} (one standard deviation) at half of "
-        f"the contact locations, {most} at 95 % of them, and {worst} at the worst, which is "
+        f"the {judged}contact locations, {most} at 95 % of them, and {worst} at the worst, which is "
         f"{place_text(spec, weakest.face, (weakest.x_mm, weakest.y_mm))}. "
-        f"{percent_text(float(np.mean(bound <= limit)))} of the locations keep the limit of {limit:g} mm"
+        f"{percent_text(float(np.mean(bound <= limit)))} of the {judged}locations keep the limit of "
+        f"{limit:g} mm"
     )
 
 
@@ -215,6 +221,19 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
         float(force.max() / limit),
         f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location "
         + _shown(float(np.median(force)), limit, "N", "none"),
+    )
+
+
+def _reach(spec: ObjectSpec, scores: PlaceScores) -> Check:
+    """Bounds hold for locations that reach the force: an object that gives way too far is judged on few."""
+    reached = float(scores.judged.sum() / scores.places.sum())
+    deepest = max(spec.press.depths_mm)
+    return Check(
+        f"Judged: contact locations that reach {spec.score.force_n:g} N by {deepest:g} mm",
+        percent_text(reached),
+        f"≥ {100 * LEAST_REACHED:g} %",
+        LEAST_REACHED / max(reached, 1e-9),
+        "lower score.force_n, or take a firmer silicone" if reached < 1 else "all of them",
     )
 
 

@@ -66,6 +66,22 @@ def test_locations_that_are_not_judged_cover_nothing():
     np.testing.assert_allclose(covered / whole, hard.judged.sum() / hard.places.sum())
 
 
+@pytest.mark.parametrize(("share", "go"), [(0.9, True), (0.6, True), (0.4, False), (0.1, False)])
+def test_an_object_that_few_locations_judge_is_no_go(share, go):
+    """Whatever the bounds of those that reach the force: most of its surface gives way too far."""
+    limits = {"position_bound_mm": 100.0, "detectable_force_n": 100.0}
+    spec = coarse_spec(contact_grid={"count": (8, 8), "pitch_mm": 3.0}, limits=limits)
+    signals = press_signals(spec, *synthetic_presses(spec))
+    reach_n = signals.force_n[..., -1][signals.pressed]
+    spec = spec.changed(score={"force_n": float(np.quantile(reach_n, 1 - share))})
+    scores = score_places(spec, signals)
+    judged = verdict.judge(spec, scores, 0.4)
+    assert judged.go == go
+    failed = [check.what.split(":")[0] for check in judged.failed]
+    assert failed == ([] if go else ["Judged"])
+    assert "of the judged locations keep" in verdict.located_text(spec, scores)
+
+
 def test_the_sentence_s_numbers_are_those_of_the_table():
     spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0})
     scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
