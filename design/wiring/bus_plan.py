@@ -139,6 +139,12 @@ def plan_or_none(spec: ObjectSpec, board: Board) -> BusPlan | None:
         return None
 
 
+def first_plan(spec: ObjectSpec) -> BusPlan | None:
+    """Return the plan of the catalogue's first board that can read the object; None where none can."""
+    plans = (plan_or_none(spec, board) for board in BOARDS.values())
+    return next((plan for plan in plans if plan is not None), None)
+
+
 def all_plans(spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM) -> Choice:
     """Every way on as few of the board's buses as it needs.
 

@@ -22,10 +22,12 @@ from instobj.commands.readings import (
     LiveFrame,
     Zeroing,
     is_data_set,
+    is_trained_on,
     live_frames,
     prediction_path,
     recorded_frames,
     recorded_stream,
+    training_frames,
     unexplained_text,
     zeroed_data_set,
 )
@@ -98,7 +100,7 @@ def predict_file(
         unread = len(read) - len(rows)
         first_frame = read[0][0] if read else 0
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
-    forces = [row["force_n"] for row in rows]
+    forces, labelled = [row["force_n"] for row in rows], _labelled(path)
     summary = {
         "face": model.face,
         "frames": len(rows),
@@ -108,9 +110,15 @@ def predict_file(
         "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),
         "force interval should hold": model.interval_cover,
-        **_measured_cover(path, model.face, rows),
+        **_measured_cover(labelled, model.face, rows),
     }
     texts = [*texts, *unexplained_text(path, summary["novel frames"], len(rows))]
+    if labelled is not None and is_trained_on(
+        labelled, training_frames(model_path, (model.face,)), (model.face,)
+    ):
+        texts.append(
+            f"{path.name} is what {model_path.name} was trained on: these figures hold for no other recording"
+        )
     return {
         "command": "predict",
         "texts": texts,
@@ -119,9 +127,10 @@ def predict_file(
     }
 
 
-def _measured_cover(path: Path, face: int, rows: list[dict[str, float]]) -> dict[str, Any]:
+def _measured_cover(
+    frames: FrameSet | None, face: int, rows: list[dict[str, float]]
+) -> dict[str, Any]:
     """Share of the frames pressed on a face whose force lies in its interval, by the file's load cells."""
-    frames = _labelled(path)
     number = np.array([row["frame"] for row in rows], int)
     if frames is None or not len(number):
         return {"force interval held": "not known, without load cells"}

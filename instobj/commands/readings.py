@@ -19,7 +19,8 @@ from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
 from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import faces_of
-from instobj.store.publish import require_writable, run_folder, run_name
+from instobj.store.publish import OWN_FOLDERS, require_writable, run_folder, run_name
+from instobj.store.readers import FRAMES
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,8 @@ SHORT_FRAMES = 20
 """Frames that were read below which a file says nothing of its object."""
 DISTRUST_FROM = 0.2
 """Share of frames without explanation from which a warning is due."""
+_TRAINED_SHARE = 0.5
+"""Share of a recording's frames that were trained on from which it counts as the training's own."""
 _REPEATED = 0.2
 """Share of repeated rows from which the scatter at rest says nothing."""
 
@@ -253,6 +256,29 @@ def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
             "by; no rest at the start (--zero)"
         )
     return texts
+
+
+def training_frames(given: Path, faces: Sequence[int]) -> frozenset[bytes]:
+    """Return the signals of every frame in the data set of the estimators' folder, on these faces; none
+    without a data set."""
+    folder = given if given.is_dir() else given.parent
+    folder = folder.parent if folder.name in OWN_FOLDERS else folder
+    data_set = FRAMES.path(folder)
+    if not data_set.is_file():
+        return frozenset()
+    return frozenset(_frame_keys(load_frames(data_set), faces))
+
+
+def is_trained_on(frames: FrameSet, training: frozenset[bytes], faces: Sequence[int]) -> bool:
+    """Return whether most frames of a recording are those of a training, as `training_frames` gives them."""
+    repeated = sum(key in training for key in _frame_keys(frames, faces))
+    return repeated > _TRAINED_SHARE * len(frames)
+
+
+def _frame_keys(frames: FrameSet, faces: Sequence[int]) -> list[bytes]:
+    """Signals of each frame, as files keep them."""
+    signals = frames.select_faces(faces).signal_counts
+    return [row.tobytes() for row in np.nan_to_num(signals).astype(np.float32)]
 
 
 def prediction_path(name: str, path: Path, out: Path) -> Path:

@@ -210,17 +210,20 @@ def run_to_target(
 
 def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
     """Write the parts and the assembly sheet of each specification, and say what comes next."""
-    from design.catalogue.bus_parts import MEGA2560
-    from design.wiring.bus_plan import plan_or_none
+    from design.wiring.bus_plan import first_plan
 
     for path in specs:
         _warn_of_no_go(load_spec(path, overrides))
     document = run_chain(specs, ("sheet",), out, overrides)
     spec = load_spec(specs[0], overrides)
     # parts of an object that was not scored may not be worth casting
-    ready = Run(spec).stored("scores") is not None and plan_or_none(spec, MEGA2560) is not None
-    done, paths = ("build", specs[:1]) if ready else ("build unscored", specs)
-    return document | {"next": next_step(done, *paths, out=out, overrides=overrides)}
+    plan = first_plan(spec) if Run(spec).stored("scores") is not None else None
+    if plan is None:
+        return document | {
+            "next": next_step("build unscored", *specs, out=out, overrides=overrides)
+        }
+    program = next_step("build", specs[0], out=out, overrides=overrides)
+    return document | {"next": f"{program} --board {plan.board.name}"}
 
 
 def simulate_recordings(

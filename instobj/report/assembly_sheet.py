@@ -70,7 +70,7 @@ def assembly_sheet(
         template=_template(frames, parts),
         board_faces=_board_faces(spec, scale),
         sensors=_sensors(spec, plan),
-        planned=plan is not None,
+        board=None if plan is None else plan.board,
         bundle_mm=wire_bundle_mm(spec),
         leave="the holes of the locating pins" if opening_of(spec) == "closed" else "the open face",
         pins=_pin_rows(pins),
@@ -240,7 +240,7 @@ def _sensors(spec: ObjectSpec, plan: BusPlan | None) -> list[list[str]]:
 
 
 def _routes(plan: BusPlan | None) -> dict[tuple[int, int], str]:
-    """Supply and bus of every sensor (face, number there) on the paper's board; none without a plan."""
+    """Supply and bus of every sensor (face, number there) on the board of the plan; none without one."""
     chips = () if plan is None else plan.chips
     return {(chip.face, chip.number): _route(chip) for chip in chips}
 

@@ -15,7 +15,7 @@ from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero, read_through
-from estimator.frames.dataset import NO_FACE, FrameSet, load_frames
+from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.face_data import HISTORY
 from estimator.frames.same_object import same_grid
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
@@ -29,13 +29,14 @@ from instobj.commands.readings import (
     Stream,
     Zeroing,
     is_data_set,
+    is_trained_on,
     no_zero_text,
     recorded_stream,
+    training_frames,
     zeroed_data_set,
 )
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import OWN_FOLDERS
-from instobj.store.readers import FRAMES, INVERSION, face_model_paths, published_tables
+from instobj.store.readers import INVERSION, face_model_paths, published_tables
 
 if TYPE_CHECKING:
     from estimator.networks.face_model import FaceModel
@@ -44,8 +45,6 @@ MOST_UNEXPLAINED = 0.5
 """Share of pressed frames without explanation from which networks read in the inversion's place."""
 _OTHERS = ("contacts.csv", "grasps.csv", *published_tables())
 """Tables that instobj writes next to recordings."""
-_TRAINED_SHARE = 0.5
-"""Share of a recording's frames that were trained on from which it counts as the training's own."""
 _STEP = 200
 """Frames between two words of progress."""
 
@@ -121,7 +120,8 @@ def load_estimators(given: Path, spec: Path | None) -> Estimators:
         )
     else:
         described = inverted.model.spec
-    return Estimators(given, described, inverted, networks, _training_frames(given, described))
+    training = training_frames(given, described.body.sensed)
+    return Estimators(given, described, inverted, networks, training)
 
 
 def _require_object_of(
@@ -152,22 +152,6 @@ def _require_object_of(
                 f"{len(of_model[1])} from ({of_model[0][0]:g}, {of_model[1][0]:g}) mm on. Give the "
                 "specification of the object that was recorded"
             )
-
-
-def _training_frames(given: Path, spec: ObjectSpec) -> frozenset[bytes]:
-    """Signals of the frames in the data set of the estimators' folder; none without a data set."""
-    folder = given if given.is_dir() else given.parent
-    folder = folder.parent if folder.name in OWN_FOLDERS else folder
-    data_set = FRAMES.path(folder)
-    if not data_set.is_file():
-        return frozenset()
-    return frozenset(_frame_keys(load_frames(data_set), spec))
-
-
-def _frame_keys(frames: FrameSet, spec: ObjectSpec) -> list[bytes]:
-    """Signals of each frame, as files keep them."""
-    signals = frames.select_faces(spec.body.sensed).signal_counts
-    return [row.tobytes() for row in np.nan_to_num(signals).astype(np.float32)]
 
 
 def recordings_in(given: Path) -> list[Path]:
@@ -212,8 +196,7 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     frames, faults, texts = _frames_of(path, estimators, zeroing)
     labelled = bool(np.any(frames.contact_face != NO_FACE))
     cells = frames if labelled else None
-    repeated = sum(key in estimators.training for key in _frame_keys(frames, estimators.spec))
-    trained_on = repeated > _TRAINED_SHARE * len(frames)
+    trained_on = is_trained_on(frames, estimators.training, estimators.spec.body.sensed)
     motion = None if is_data_set(path) else read_motion(path)
     if estimators.inversion is not None:
         track = _inverted(path, frames, estimators.inversion)

@@ -42,19 +42,18 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     from design.build.bom import bill_of_materials, write_bom
     from design.build.manifest import BuildManifest
     from design.build.order_list import order_list, write_orders
-    from design.catalogue.bus_parts import MEGA2560
     from design.files import atomic_path
     from design.layout.core_hold import has_mould
     from design.layout.mould.frame import mould_style
     from design.layout.mould.pins import loose_pins, pins_by_kind
-    from design.wiring.bus_plan import plan_or_none
+    from design.wiring.bus_plan import first_plan
     from instobj.render.demoulding import draw_demoulding
     from instobj.render.exploded_view import draw_exploded
     from instobj.report.assembly_sheet import assembly_sheet
 
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
-    plan = plan_or_none(spec, MEGA2560)
+    plan = first_plan(spec)
     write_bom(bill_of_materials(spec, manifest, plan), BOM.path(folder))
     orders = order_list(spec, plan)
     write_orders(orders, ORDERS.path(folder))

@@ -54,7 +54,7 @@ def test_pitches_of_less_than_a_millimetre_are_told_and_none_is_0(count, room_mm
 
 @pytest.mark.parametrize("name", ["ball", "paper_cube"])
 def test_a_grid_that_leaves_its_face_is_told_how_many_places_fit(name):
-    count = [f"contact_grid.count={[7, 7] if name == 'ball' else [10, 10]}"]
+    count = [f"contact_grid.count={[9, 9] if name == 'ball' else [10, 10]}"]
     said = told(name, [*count, "contact_grid.pitch_mm=4.5"])
     most = int(re.search(r"fewer places \((\d+)", said)[1])
     pitch = float(re.search(r"pitch_mm of ([\d.]+) or less", said)[1])

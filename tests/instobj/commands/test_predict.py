@@ -440,6 +440,20 @@ def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(fold
     assert own["force interval held"] > 0.7 > other["force interval held"]
 
 
+def test_a_recording_that_was_trained_on_is_named(folder, tmp_path):
+    """As the data set beside the estimator tells; of forces that are others nothing is said."""
+    model = tmp_path / "face_3.onnx"
+    shutil.copy(folder / "robot" / "face_3.onnx", model)
+    frames = made_frames()
+    save_frames(frames, tmp_path / "frames.nc")
+    save_frames(replace(frames, signal_counts=1.1 * frames.signal_counts), tmp_path / "new.nc")
+    own, other = (
+        predict_file(model, tmp_path / name, tmp_path)["texts"] for name in ("frames.nc", "new.nc")
+    )
+    assert any("frames.nc is what face_3.onnx was trained on" in text for text in own)
+    assert not any("trained on:" in text for text in other)
+
+
 def test_without_load_cells_no_share_is_claimed(folder, tmp_path):
     frames = made_frames()
     nothing = replace(

@@ -158,12 +158,13 @@ def test_sensors_that_the_paper_s_board_cannot_read_have_no_empty_column(tmp_pat
     save_dot(tmp_path / "picture.png")
     spec = parsed()
     page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
-    assert "<th>on an Arduino Mega 2560</th>" not in page
-    assert "An Arduino Mega 2560 cannot read these sensors" in page
+    assert "<th>on the Arduino Mega 2560</th>" not in page
+    assert "No board of the catalogue can read these sensors" in page
     plan = plan_or_none(spec, MEGA2560)
     page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan)
-    assert "on an Arduino Mega 2560" in page
-    assert "cannot read these sensors" not in page
+    assert "on the Arduino Mega 2560" in page
+    assert "--board mega2560" in page
+    assert "can read these sensors" not in page
 
 
 def test_a_face_without_magnets_is_drawn_where_a_pin_stands_in_it(tmp_path):
