@@ -61,6 +61,15 @@ def split_presses(
     return _split_of_groups(frames.press_id, presses, fill_empty(part, single))
 
 
+def only_trained_places(frames: FrameSet, split: Split) -> bool:
+    """Return whether every held-out press lies at a place of the training."""
+    trained, tested = (
+        set(np.unique(frames.place_id[part & frames.valid & (frames.place_id >= 0)]).tolist())
+        for part in (split.train, split.test)
+    )
+    return tested <= trained
+
+
 def split_places(
     frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
 ) -> Split:

@@ -23,10 +23,13 @@ _MOST_PRESSES = 12
 
 
 def draw_predictions(
-    readings: Sequence[ContactReadings], source: Literal["simulated", "recorded"], path: Path
+    readings: Sequence[ContactReadings],
+    source: Literal["simulated", "recorded"],
+    location: str,
+    path: Path,
 ) -> Figure:
     """A panel per face, predicted against true force, and below it the share of localisation errors
-    (PNG); three faces side by side, so that words stay readable."""
+    (PNG); three faces side by side, so that words stay readable. `location` says where the presses are."""
     from matplotlib.figure import Figure
 
     columns = min(len(readings), _MOST_COLUMNS)
@@ -45,7 +48,7 @@ def draw_predictions(
     for first in range(0, len(readings), columns):
         forces[first].set_ylabel("predicted total force (N)")
         places[first].set_ylabel("contact frames with error ≤ x (%)")
-    figure.suptitle(f"{source.capitalize()} held-out presses: every frame with contact")
+    figure.suptitle(f"{source.capitalize()} held-out presses {location}: every frame with contact")
     save_figure(figure, path)
     return figure
 

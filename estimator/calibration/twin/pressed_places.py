@@ -150,11 +150,20 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
     rows = [np.flatnonzero(which == number) for number in np.unique(which)]
     rows = [row[np.lexsort((time_s[row], press[row]))] for row in rows if len(row) >= LEAST_FRAMES]
     if len(rows) < LEAST_PLACES or not len(channels):
+        pressed = frames.valid & (frames.contact_face == face).any(axis=1)
+        elsewhere, sideways = (
+            int((pressed & (touched.sum(axis=1) > 1)).sum()),
+            int((pressed & ~straight).sum()),
+        )
+        gaps = (
+            "" if len(channels) or not alone.any() else "; no channel of the face is without gaps"
+        )
         raise InputError(
             f"a twin of face {face} is calibrated on presses straight down by one tip alone, at "
             f"{LEAST_PLACES} places or more with {LEAST_FRAMES} frames each; got {len(rows)} such "
-            f"places and {len(channels)} channels of the face without gaps. Press more places one by "
-            "one"
+            f"places: of {int(pressed.sum())} frames that press this face {elsewhere} press elsewhere too, "
+            f"{sideways} pull sideways{gaps}. Press more places one by one, or calibrate all faces together by "
+            "grasps (--set training.model=inversion)"
         )
     rows = rows[:: -(-len(rows) // MOST_PLACES)]
     count = min(LEVELS, min(len(row) for row in rows) // 3)

@@ -108,6 +108,7 @@ def evaluate_networks(
         linear_baseline,
         mean_map_baseline,
     )
+    from estimator.frames.splits import only_trained_places
     from instobj.figures.predictions import draw_over_time, draw_predictions
 
     held_out = frames.select(split.test)
@@ -130,5 +131,6 @@ def evaluate_networks(
         answers.append(held_out_answers(model, frames, split))
         rows["baselines"] += [report.summary() for report in baseline_reports(answers[-1])]
     write_json({"split": "whole presses held out", **rows}, METRICS.path(folder))
-    draw_predictions(readings, frames.source, HELD_OUT_PICTURE.path(folder))
+    places = "at places of the training" if only_trained_places(frames, split) else "at new places"
+    draw_predictions(readings, frames.source, places, HELD_OUT_PICTURE.path(folder))
     draw_over_time(answers, OVER_TIME_PICTURE.path(folder))

@@ -13,7 +13,9 @@ def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(tmp_path
         2, np.array([1.0, 4, 9]), np.array([2.0, 4, 8.5]), np.array([3.0, 1, 2]), 2
     )
     two = ContactReadings(4, np.array([5.0]), np.array([12.0]), np.array([0.5]), 1)
-    figure = predictions.draw_predictions([one, two], "recorded", tmp_path / "a.png")
+    figure = predictions.draw_predictions(
+        [one, two], "recorded", "at new places", tmp_path / "a.png"
+    )
     force, other, place, _ = figure.axes
     assert figure.get_suptitle().startswith("Recorded held-out presses")
     assert force.get_title() == "Face 2: median error 0.50 N"
@@ -32,7 +34,7 @@ def test_three_faces_stand_beside_each_other_and_the_rest_below(tmp_path):
         ContactReadings(face, np.array([5.0]), np.array([5.0]), np.array([0.5 * face]), 1)
         for face in range(1, 6)
     ]
-    figure = predictions.draw_predictions(faces, "simulated", tmp_path / "a.png")
+    figure = predictions.draw_predictions(faces, "simulated", "at new places", tmp_path / "a.png")
     titles = [axes.get_title()[:6] for axes in figure.axes]
     first, second = [f"Face {face}" for face in (1, 2, 3)], ["Face 4", "Face 5"]
     assert titles == [*first, *["1 fram"] * 3, *second, *["1 fram"] * 2]
