@@ -56,7 +56,8 @@ def _steel_line(row: dict[str, Any]) -> str:
         f"A steel gripper that touches shifts the zero of its face by up to {_rounded(touching)} counts and "
         f"of others by {_rounded(touching_others)}, and pulls a magnet with up to "
         f"{_rounded(row['jaw_pull_n'][0])} N; {row['jaw_gap_mm'][1]:g} mm away by {_rounded(near)} and "
-        f"{_rounded(near_others)} (thick wide plate, an upper bound)"
+        f"{_rounded(near_others)} (thick wide plate, an upper bound). No verdict counts this: take jaws of "
+        "plastic or aluminium"
     )
 
 
