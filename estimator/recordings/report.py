@@ -91,7 +91,8 @@ def _lag_text(lag: LagReport) -> str:
     did = "corrected" if lag.corrected else "not corrected: too little gained or agreed"
     return (
         f"{lag.frames} frames ({did}); {100 * lag.share_within_2:.0f} % of presses within ±2; variance "
-        f"left by H(F) {100 * lag.residual_uncorrected:.1f} % → {100 * lag.residual_corrected:.1f} %"
+        f"of signals that the force leaves {100 * lag.residual_uncorrected:.1f} % → "
+        f"{100 * lag.residual_corrected:.1f} %"
     )
 
 

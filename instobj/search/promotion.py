@@ -97,7 +97,7 @@ class Promoter:
         start, (second, last) = self.start, (self.levels.table[name] for name in (SECOND, LAST))
         self.levels.make([start], (*last.stages, *second.stages))
         self.levels.score([start], LAST)
-        self.say("twins of the start within tolerance")
+        self.say("virtual objects of the start")
         began_s = self.limit.left_s
         twins = self.twins(start.spec)
         self.needed_s = _ALLOWANCE * (last.seconds(start.spec) + began_s - self.limit.left_s)
