@@ -168,7 +168,8 @@ def _misplaced(spec: ObjectSpec) -> list[ContactCase]:
         raise InputError(
             "collection.poses with kind = 'handling' are places (x, y, 0) of the first jaw and as many of "
             f"the second, for two grasp_faces and random_grasps = 0; got {len(first)} and {len(second)} "
-            f"places{', turned ones' * bool(turned)}, grasp_faces = {list(faces)} and random_grasps = {wanted}. "
+            f"places{', turned ones' * bool(turned)}, grasp_faces = {list(faces)} and random_grasps = "
+            f"{wanted}. "
             "Give such pairs, turn jaws by indenter.turn_deg, or leave poses out"
         )
     return [
