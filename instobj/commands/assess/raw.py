@@ -82,9 +82,14 @@ def _channels(
 ) -> tuple[Float[np.ndarray, "frame channel"], Float[np.ndarray, "stamp"]]:
     """Readings of the channels that have them, in the frames that lack none; stamps (s) where there are."""
     if path.suffix == TENSORS:
-        # torch is slow to load, and only such files need it
-        from estimator.networks.tensor_file import read_recorded_tensor
-
+        # torch is slow to load, a robot lacks it, and only such files need it
+        try:
+            from estimator.networks.tensor_file import read_recorded_tensor
+        except ModuleNotFoundError:
+            raise InputError(
+                f"{path} needs torch to be read, which is not installed. Run: pip install torch, or give the "
+                "recording as CSV"
+            ) from None
         values, time_s = read_recorded_tensor(path), np.empty(0)
     elif is_data_set(path):
         frames = load_frames(path)

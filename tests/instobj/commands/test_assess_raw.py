@@ -2,6 +2,8 @@
 
 import json
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -44,6 +46,30 @@ def test_a_csv_gives_the_same_with_its_own_clock(bench):
     held, slid = json.loads(done.stdout)["tables"]["slip"]
     assert (held["slipped"], slid["slipped"]) == ("no", "yes")
     assert slid["onset s"] == pytest.approx(pulled(2, True).onset_s, abs=0.1)
+
+
+def test_without_torch_a_tensor_is_refused_and_a_csv_is_read(bench):
+    start = """
+import sys
+class WithoutTorch:
+    def find_spec(self, name, *_):
+        if name.partition(".")[0] == "torch":
+            raise ModuleNotFoundError("No module named 'torch'", name="torch")
+sys.meta_path.insert(0, WithoutTorch())
+from instobj.cli.app import main
+main()
+"""
+    for name, code, said in (
+        ("pulls/slid.pt", 2, "needs torch"),
+        ("slid.csv", 0, "1 of 1 holds slipped"),
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", start, "assess", name],
+            cwd=bench, capture_output=True, text=True, encoding="utf-8", check=False,
+        )  # fmt: skip
+        assert done.returncode == code, done.stderr
+        assert said in done.stderr + done.stdout
+        assert "Traceback" not in done.stderr
 
 
 class Thief:

@@ -98,4 +98,4 @@ def pulled(seed, slips=None):
         values[frame] = field_ut(_MAGNETS_MM + sunk, moments).ravel()
     drift = np.cumsum(rng.normal(0, 0.05, values.shape), axis=0)
     noisy = values + drift + rng.normal(0, NOISE_UT, values.shape)
-    return Pulled(noisy, way > 0.3, onset if way > 0.3 else np.nan, float(way), returns)
+    return Pulled(noisy, bool(way > 0.3), onset if way > 0.3 else np.nan, float(way), returns)
