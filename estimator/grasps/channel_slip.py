@@ -24,8 +24,8 @@ _TOUCH = 3.0
 """Size of a change, over that of noise in all channels, from which something touches."""
 _MEAN_FRAMES = 5
 """Frames that are averaged: noise bends a path less, and a slip lasts longer."""
-_NOISE_BEND, _LOAD_BEND = 2.2, 0.015
-"""Bend of a contact that sticks, in deviations of noise, and as a share of its signal: pulls are not quite
+_NOISE_BEND, _LOAD_BEND = 2.6, 0.015
+"""Bend of a contact that sticks, over that of noise alone, and as a share of its signal: pulls are not quite
 straight, and skins creep. Chosen on 200 recordings by the model of the tests."""
 _UNDER_WAY = 5.5
 """Length off the line, summed over frames in quadrature, from which a slip is under way, in the same unit."""
@@ -61,8 +61,8 @@ def slips_in_channels(
 ) -> list[ChannelSlip]:
     """Find holds in raw channels and judge each; the first `REST_FRAMES` frames must be at rest.
 
-    Channels with a gap are left out. A slip without any pull before it bends the path only as far as it is
-    curved itself, and is missed more often; two pulls across each other count as a slip.
+    Channels with a gap are left out. A slide without any pull before it is a line as well, and is missed; two
+    pulls across each other count as a slip.
     """
     values = values[:, np.isfinite(values).all(axis=0)]
     if len(values) < REST_FRAMES + LEAST_HOLD or not values.shape[1]:
@@ -95,7 +95,7 @@ def _judged(
         return ChannelSlip(first, max(first, last), signal, float("nan"), float("nan"))
     path = _unloaded(change[first:last])
     means = np.lib.stride_tricks.sliding_window_view(path, _MEAN_FRAMES, axis=0).mean(axis=-1)
-    usual = np.hypot(_NOISE_BEND, _LOAD_BEND * signal)
+    usual = np.hypot(_NOISE_BEND * _bend_of_noise(*means.shape), _LOAD_BEND * signal)
     bend = _off_the_line(means) / np.sqrt(len(means)) / usual
     onset = first + _onset(path, means, _UNDER_WAY * usual) if bend > 1 else float("nan")
     return ChannelSlip(first, last, signal, float(bend), onset)
@@ -113,6 +113,13 @@ def _off_the_line(path: Float[np.ndarray, "frame channel"]) -> float:
     """Length of a path off the line that fits it best, over frames in quadrature: its second singular
     value."""
     return float(np.linalg.svd(path, compute_uv=False)[1])
+
+
+def _bend_of_noise(frames: int, channels: int) -> float:
+    """Largest bend that noise of one deviation makes, rms: of m independent frames (1 + √(channels/m))
+    (Marchenko & Pastur, Math. USSR Sbornik 1, 1967), less by the averaging."""
+    independent = frames / _MEAN_FRAMES
+    return (1 + np.sqrt(channels / independent)) / np.sqrt(_MEAN_FRAMES)
 
 
 def _onset(

@@ -45,7 +45,7 @@ def assess_raw(paths: Sequence[Path], out: Path) -> dict[str, Any]:
         "texts": [
             f"{slipped} of {len(rows) - short} holds slipped, by the raw channels alone"
             + (f"; of {short} too short ones nothing is said" if short else ""),
-            "A slide without any pull before it is mostly missed. A pull to one side and then across counts "
+            "A slide without any pull before it is missed. A pull to one side and then across counts "
             "as slip. Forces and places need an estimator (--model)",
         ],
         "tables": {"slip": rows},

@@ -87,6 +87,18 @@ def test_units_offsets_and_order_of_channels_do_not_matter():
     assert (scaled.start, scaled.end) == (plain.start, plain.end)
 
 
+def test_many_channels_of_noise_are_no_slip():
+    """Thirty chips that do not answer beside five that do, and a hold cut short."""
+    rng, slipped = np.random.default_rng(4), []
+    for seed in range(30):
+        values = pulled(FIRST_SEED + seed, slips=False).values
+        values = np.hstack([values, rng.normal(0, 1, (FRAMES, 90))])
+        for last in (FRAMES, 78):
+            slipped += [hold.slipped for hold in slips_in_channels(values[:last], TIME_S[:last])]
+    assert len(slipped) == 60
+    assert np.mean(slipped) <= 0.05
+
+
 def test_nothing_is_found_at_rest_and_nothing_said_of_a_touch():
     rng = np.random.default_rng(3)
     rest = rng.normal(0, 1, (FRAMES, 15))
