@@ -34,8 +34,11 @@ class CollectionSpec(SpecPart):
     squeezed periodically to `grasp_force_n`, at ten poses or, of each number of tips, at
     `random_grasps` poses drawn by `seed`. "handling": as "grasp", each pose taken once in
     `frames_per_case` frames: free, closed on, held with a shake, released; peaks spread between 80 and
-    100 % of `grasp_force_n`, as a gripper repeats. Instead of two jaws, `grasp_faces` = [3, 5, 5] are
-    a thumb and two fingers, and a single face is a pad that holds from one side, as a suction cup does.
+    100 % of `grasp_force_n`, as a gripper repeats. Two `poses` lists as long as each other then place both
+    jaws, each in its own face's frame, so that they may miss each other; a cuboid `indenter` with a tilt in
+    `turn_deg` makes jaws that are not parallel. Instead of two jaws, `grasp_faces` = [3, 5, 5] are
+    a thumb and two fingers, and a single face is a pad that presses from one side, as a suction cup's lip
+    does; nothing pulls on the skin within the lip.
     "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.

@@ -19,7 +19,7 @@ USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "mould.parting_azimuth_deg": ("mould.style", _SPLIT),
     "collection.frames_per_case": ("collection.kind", ("paper", "grasp", "handling")),
     "collection.non_contact_cases": ("collection.kind", ("paper",)),
-    "collection.poses": ("collection.kind", ("paper",)),
+    "collection.poses": ("collection.kind", ("paper", "handling")),
     "collection.grasp_faces": ("collection.kind", ("grasp", "handling")),
     "collection.grasp_force_n": ("collection.kind", ("grasp", "handling")),
     "collection.random_grasps": ("collection.kind", ("grasp", "handling")),

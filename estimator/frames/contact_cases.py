@@ -130,13 +130,15 @@ def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
 def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
     """Five places of one tip, three of two and two of three, each opposite its like; or
     `collection.random_grasps` of each, anywhere within the contact grid and turned at random. Of a thumb and
-    two fingers as many places of these.
+    two fingers as many places of these. In handling `collection.poses` may place each jaw by itself.
 
     Raises
     ------
     InputError
-        `collection.grasp_faces` are not opposite each other, or no room for a probe.
+        `collection.grasp_faces` are not opposite each other, no room for a probe, or poses that are no pairs.
     """
+    if spec.collection.kind == "handling" and spec.collection.poses != CollectionSpec().poses:
+        return _misplaced(spec)
     wanted, rng = spec.collection.random_grasps, np.random.default_rng((spec.seed, 6))
     if wanted and len(spec.collection.grasp_faces) == 3:
         raise InputError(
@@ -155,6 +157,25 @@ def grasp_cases(spec: ObjectSpec) -> list[ContactCase]:
         for pose in poses
     ]
     return opposed(spec, places)
+
+
+def _misplaced(spec: ObjectSpec) -> list[ContactCase]:
+    """Return grasps whose jaws stand where `collection.poses` says, each in the frame of its own face."""
+    first, second = (np.array(poses, float).reshape(-1, 3) for poses in spec.collection.poses)
+    faces, wanted = spec.collection.grasp_faces, spec.collection.random_grasps
+    turned = np.any(first[:, 2]) or np.any(second[:, 2])
+    if len(faces) != 2 or wanted or turned or not len(first) or len(first) != len(second):
+        raise InputError(
+            "collection.poses with kind = 'handling' are places (x, y, 0) of the first jaw and as many of "
+            f"the second, for two grasp_faces and random_grasps = 0; got {len(first)} and {len(second)} "
+            f"places{', turned ones' * bool(turned)}, grasp_faces = {list(faces)} and random_grasps = "
+            f"{wanted}. "
+            "Give such pairs, turn jaws by indenter.turn_deg, or leave poses out"
+        )
+    return [
+        replace(case, xy_mm=np.vstack([case.xy_mm[:1], place[None, :2]]))
+        for case, place in zip(opposed(spec, list(first[:, None, :2])), second, strict=True)
+    ]
 
 
 def _random_tips_mm(

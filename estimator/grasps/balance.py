@@ -92,38 +92,39 @@ def drawn_in_balance(
     normals: Float[np.ndarray, "draw 3"],
     friction: float,
     weight_n: float,
-    down: Float[np.ndarray, "3"],
+    pull: Float[np.ndarray, "3"],
 ) -> list[Placed]:
     """Return draws of contacts corrected by what is known of their sum: a held object balances.
 
     Each contact read by itself may be too high, so that the largest of several mostly is, and errors drawn
     about it add to that once more. Forces that must balance cannot all be. A draw is corrected as by kriging,
     x − C Hᵀ (k S)⁻¹ (H x + W + ε), with `normals` for ε (Journel & Huijbregts, Mining Geostatistics, 1978,
-    VII.A). S is the covariance of the sum, of errors and of what was not read: friction, and the weight's
-    direction where `down` is NaN. k is the misfit over what errors alone would give, at least 1: a sum that
-    does not balance within them is believed so much less, as with an unknown weight (James & Stein, 1961).
+    VII.A); W is `pull` times the weight at rest. S is the covariance of the sum, of errors and of what was
+    not read: friction, and the weight's direction where `pull` is NaN. k is the misfit over what errors alone
+    would give, at least 1: a sum that does not balance within them is believed so much less, as with an
+    unknown weight (James & Stein, 1961).
     """
     errors, axes = contacts.covariance[:, 2:, 2:], contacts.axes
     unread = np.isnan(contacts.force_n) * (friction * contacts.force_n[:, 2:]) ** 2 / 4
     # contact c, of i and j of the object's axes; p and q of the contact's own
     read = np.einsum("cip,cpq,cjq->ij", axes, errors, axes)
     whole = read + np.einsum("cip,cp,cjp->ij", axes, unread, axes)
-    pull = weight_n * down
-    if not np.isfinite(down).all():
+    load_n = weight_n * pull
+    if not np.isfinite(pull).all():
         # of a vector of one length in any direction: mean 0, a third of its square along each axis
-        pull, whole = np.zeros(3), whole + weight_n**2 / 3 * np.eye(3)
+        load_n, whole = np.zeros(3), whole + weight_n**2 / 3 * np.eye(3)
     inverse = np.linalg.pinv(whole, hermitian=True)
     usual = float(np.trace(inverse @ read))
     if not usual > 0:  # exact forces
         return drawn
-    net = net_wrench(contacts)[:3] + pull
+    net = net_wrench(contacts)[:3] + load_n
     excess = max(1.0, float(net @ inverse @ net) / usual)
     gain = errors @ axes.transpose(0, 2, 1) @ inverse / excess
     value, vector = np.linalg.eigh(excess * whole - read)
     noise = normals @ (vector * np.sqrt(value.clip(0.0))).T
     corrected = []
     for draw, shift in zip(drawn, noise, strict=True):
-        force = draw.force_n - gain @ (net_wrench(draw)[:3] + pull + shift)
+        force = draw.force_n - gain @ (net_wrench(draw)[:3] + load_n + shift)
         force[:, 2] = force[:, 2].clip(0.0)
         corrected.append(replace(draw, force_n=force))
     return corrected

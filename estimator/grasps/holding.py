@@ -122,7 +122,7 @@ def contact_slip(
     if len(centre_mm) < 2 * _REFERENCE_FRAMES:
         return Slip(float("nan"), float("nan"))
     variance = _variance_mm2(centre_mm)
-    onset_s, gain, way = _best_slip(time_s, centre_mm, variance)
+    onset_s, gain, way = best_slip(time_s, centre_mm, variance)
     distance = float(np.linalg.norm(way))
     moved = (centre_mm - np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)) @ way
     stays = np.median(moved[-_REFERENCE_FRAMES:]) > distance**2 / 2
@@ -145,8 +145,8 @@ def common_onset_s(
     if len(time_s) < 2 * _REFERENCE_FRAMES:
         return float("nan")
     steady = [centre[present] / np.sqrt(_variance_mm2(centre[present])) for centre in centres_mm]
-    apart = sum(_best_slip(time_s, centre, 1.0)[1] for centre in steady)
-    onset_s, gain, _ = _best_slip(time_s, np.concatenate(steady, axis=1), 1.0)
+    apart = sum(best_slip(time_s, centre, 1.0)[1] for centre in steady)
+    onset_s, gain, _ = best_slip(time_s, np.concatenate(steady, axis=1), 1.0)
     return onset_s if apart - gain < _TOGETHER else float("nan")
 
 
@@ -154,7 +154,7 @@ def _variance_mm2(centre_mm: Float[np.ndarray, "frame 2"]) -> float:
     return max(float(fresh_variance(centre_mm).mean()), _STRAIGHT_MM**2)
 
 
-def _best_slip(
+def best_slip(
     time_s: Float[np.ndarray, "frame"], centre_mm: Float[np.ndarray, "frame k"], variance: float
 ) -> tuple[float, float, Float[np.ndarray, "k"]]:
     """Onset, misfit taken away (mm²) and way of the best straight slip.

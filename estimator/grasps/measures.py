@@ -139,11 +139,12 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     wrench, covariance = net_wrench(typical), wrench_covariance(typical, conditions.friction)
     faces = _face_forces(part, hold)
     start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
-    jolt, down = UNKNOWN, np.full(3, np.nan)
+    jolt = UNKNOWN
     if conditions.motion is not None:
         jolt = conditions.motion.jolt_between(start_s, end_s)
-        down = conditions.motion.down_between(float(held.time_s[0]), float(held.time_s[-1]))
-    damage, places = _damage(top, at_peak, conditions, down, rng)
+    pull = _pull_over(conditions, held.time_s)
+    pull_at_peak = _pull_over(conditions, part.time_s[window])
+    damage, places = _damage(top, at_peak, conditions, pull_at_peak, rng)
     readings = {
         "peak_n": _spread(float(part.total_n[window].mean()), float(top.total_sigma_n[0])),
         "mean_n": _spread(float(held.total_n.mean()), float(mean.total_sigma_n[0])),
@@ -151,7 +152,7 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
         **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hull_figures, conditions), _HULL_DRAWS),
-        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions, down)),
+        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions, pull)),
         **{name: Reading(value) for name, value in _course(held, closing, list(faces)).items()},
         "regrasps": Reading(float(grasp.regrasps)),
         "jolt_m_s2": Reading(jolt),
@@ -167,6 +168,15 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
 
 def _part(track: ContactTrack, first: int, last: int) -> ContactTrack:
     return track.select(slice(first, last))
+
+
+def _pull_over(
+    conditions: Conditions, time_s: Float[np.ndarray, "frame"]
+) -> Float[np.ndarray, "3"]:
+    """Return the mean pull of the weight over some frames; NaN without an IMU."""
+    if conditions.motion is None:
+        return np.full(3, np.nan)
+    return conditions.motion.pull_between(float(time_s[0]), float(time_s[-1]))
 
 
 def _typical_frame(held: ContactTrack, level_n: float) -> int:
@@ -254,17 +264,18 @@ def _balance_chance(
     wrench: np.ndarray,
     covariance: np.ndarray,
     conditions: Conditions,
-    down: Float[np.ndarray, "3"],
+    pull: Float[np.ndarray, "3"],
 ) -> float:
     """NaN where forces count as exact: then nothing balances exactly.
 
-    The weight pulls along `down`; where that is NaN, in whatever direction balances best.
+    The weight pulls by `pull`, of an accelerated object with what that takes; where it is NaN, in whatever
+    direction balances best.
     """
     if not contacts.covariance.any():
         return UNKNOWN
     force, weight_n = wrench[:3], conditions.weight_n
-    if np.isfinite(down).all():
-        force, weight_n = force + weight_n * down, 0.0
+    if np.isfinite(pull).all():
+        force, weight_n = force + weight_n * pull, 0.0
     return equilibrium_p(equilibrium_misfit(force, covariance[:3, :3], weight_n), weight_n)
 
 
@@ -331,7 +342,7 @@ def _damage(
     top: ContactTrack,
     at_peak: Placed,
     conditions: Conditions,
-    down: Float[np.ndarray, "3"],
+    pull: Float[np.ndarray, "3"],
     rng: np.random.Generator,
 ) -> tuple[dict[str, Reading], list[dict[str, float | int]]]:
     slots = np.flatnonzero(np.isin(top.face[0], list(conditions.faces))).tolist()
@@ -341,7 +352,7 @@ def _damage(
         for row in zip(*(column.tolist() for column in columns), strict=True)
     ]
     readings: dict[str, Reading] = {}
-    drawn, held = _draws(at_peak, rng), (conditions.friction, conditions.weight_n, down)
+    drawn, held = _draws(at_peak, rng), (conditions.friction, conditions.weight_n, pull)
     numbers = rng.standard_normal((len(drawn) // 2, 3))
     pairs = np.concatenate([np.zeros((1, 3)), numbers, -numbers])
     balanced = drawn_in_balance(at_peak, drawn, pairs, *held)

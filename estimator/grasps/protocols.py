@@ -37,7 +37,7 @@ _ROWS: tuple[tuple[str, ...], ...] = (
     ("net_force_n", "net force", "N", "size of the sum of all contact forces in the hold"),
     ("net_moment_nmm", "net moment", "N mm", "size of their moment about the object's centre"),
     ("equilibrium_p", "equilibrium", "1", "chance of a net force as large if contacts and weight balanced "
-     "(χ²); the weight's direction by the IMU, or the one that balances best"),
+     "(χ²); the weight's direction and what acceleration adds by the IMU, or the best direction"),
     ("friction_used", "friction used", "1", "largest tangential over normal force in the hold", OWN, _LESS),
     ("friction_needed", "friction needed", "1", "least friction with which the contacts close the grasp",
      "Nguyen, IJRR 7(3), 1988", _LESS),

@@ -1,15 +1,19 @@
-"""Tensors and a JSON description in one safetensors file, sealed with a checksum."""
+"""Tensors and a JSON description in one sealed safetensors file; tensors that torch recorded."""
 
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import torch
+from jaxtyping import Float
 from torch import Tensor
 
-from design.errors import StoreError
+from design.errors import RecordingError, StoreError
 from design.files import atomic_path
 from design.seal import SEAL, sealed, sealed_content
 
@@ -57,3 +61,33 @@ def load_tensors(path: Path, advice: str) -> tuple[Any, dict[str, Tensor]]:
         return json.loads(metadata["instobj"]), tensors
     except (KeyError, RecursionError, ValueError):
         raise StoreError(f"{path} was not written by instobj. {advice}") from None
+
+
+def read_recorded_tensor(path: Path) -> Float[np.ndarray, "frame channel"]:
+    """Return the numbers of a `.pt` file of one tensor, frames along its first axis.
+
+    Only tensors are read (`weights_only`): a file that names any other object is refused, and no code of it
+    runs.
+
+    Raises
+    ------
+    RecordingError
+        No such file, damaged, more than a tensor, or no frames of real numbers.
+    """
+    if not path.is_file():
+        raise RecordingError(f"no recording at {path}. Give the path of a recording")
+    try:
+        with warnings.catch_warnings(action="ignore"):  # of pickles that are refused anyway
+            content = torch.load(path, map_location="cpu", weights_only=True)
+    except Exception:  # torch raises errors of many kinds for what is damaged or is no tensor
+        raise RecordingError(
+            f"{path} cannot be read as tensors alone: damaged, or it holds other objects, which are not "
+            "loaded. Save one tensor (frame, channel) by torch.save"
+        ) from None
+    is_tensor = isinstance(content, Tensor) and not content.is_complex() and not content.is_sparse
+    if not is_tensor or content.dim() < 2 or not content.numel():
+        held = f"a tensor of shape {tuple(content.shape)}" if is_tensor else "something else"
+        raise RecordingError(
+            f"{path} must hold one tensor (frame, channel) of real numbers; got {held}. Save the readings so"
+        )
+    return content.detach().reshape(len(content), -1).to(torch.float64).numpy()

@@ -80,24 +80,38 @@ class RecordedMotion:
     ----------
     time_s : (frame,)
     down : (frame, 3) unit vector of the weight in the object's frame; NaN where it is not known
-    jolt_m_s2 : (frame,) specific force off gravity: 0 at rest, 9.8 in free fall, more in an impact. One
-        reading a frame: what is shorter may be missed
+    pull : (frame, 3) weight that the object feels over its weight at rest: −f/g of the specific force f.
+        Contacts bear this, at rest and accelerated: Σ F + m g = m a is Σ F = m f. NaN where it was silent
     rate_rad_s : (frame,) size of the angular rate
     """
 
     time_s: Float[np.ndarray, "frame"]
     down: Float[np.ndarray, "frame 3"]
-    jolt_m_s2: Float[np.ndarray, "frame"]
+    pull: Float[np.ndarray, "frame 3"]
     rate_rad_s: Float[np.ndarray, "frame"]
+
+    @property
+    def jolt_m_s2(self) -> Float[np.ndarray, "frame"]:
+        """Return the specific force off gravity: 0 at rest, 9.8 in free fall, more in an impact.
+
+        One reading a frame: what is shorter may be missed.
+        """
+        return GRAVITY_M_S2 * np.abs(np.linalg.norm(self.pull, axis=1) - 1)
 
     def jolt_between(self, start_s: float, end_s: float) -> float:
         """Return the hardest jolt (m/s²) of a stretch; NaN where the IMU was silent."""
         jolt = self.jolt_m_s2[(self.time_s >= start_s) & (self.time_s <= end_s)]
         return float(np.nanmax(jolt)) if np.isfinite(jolt).any() else float("nan")
 
-    def down_between(self, start_s: float, end_s: float) -> Float[np.ndarray, "3"]:
-        """Return the mean direction of the weight in a stretch; NaN where it is not known."""
-        down = self.down[(self.time_s >= start_s) & (self.time_s <= end_s)]
+    def pull_between(self, start_s: float, end_s: float) -> Float[np.ndarray, "3"]:
+        """Return the mean pull of a stretch; where the IMU was silent throughout the direction of the weight
+        that it last gave, NaN where there is none. The IMU stands for the object's centre of mass: what turns
+        add between the two is left out."""
+        inside = (self.time_s >= start_s) & (self.time_s <= end_s)
+        pull, down = self.pull[inside], self.down[inside]
+        heard = np.isfinite(pull).all(axis=1)
+        if heard.any():
+            return pull[heard].mean(axis=0)
         total = down[np.isfinite(down[:, 0])].sum(axis=0)
         length = float(np.linalg.norm(total))
         return total / length if length > 0 else np.full(3, np.nan)
@@ -128,8 +142,8 @@ def recorded_motion(
         attitude.update(float(time_s[frame]), values)
         if attitude.down is not None:
             down[frame] = attitude.down
-    jolt = np.abs(np.linalg.norm(motion[:, :3], axis=1) - GRAVITY_M_S2)
-    return RecordedMotion(time_s, down, jolt, np.linalg.norm(motion[:, 3:], axis=1))
+    pull = -motion[:, :3] / GRAVITY_M_S2
+    return RecordedMotion(time_s, down, pull, np.linalg.norm(motion[:, 3:], axis=1))
 
 
 def read_motion(path: Path | str) -> RecordedMotion | None:

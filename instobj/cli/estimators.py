@@ -155,8 +155,12 @@ def assess(
         ),
     ],
     model: Annotated[
-        Path, typer.Option(help="Folder that `train` wrote to, or contacts.nc.", show_default=False)
-    ],
+        Path | None,
+        typer.Option(
+            help="Folder that `train` wrote to, or contacts.nc; without it, slip in raw channels.",
+            show_default=False,
+        ),
+    ] = None,
     protocol: Annotated[
         str, typer.Option(help="handling, grasp-strength, pinch, slip or force-tracking.")
     ] = "handling",
@@ -178,8 +182,20 @@ def assess(
 ) -> None:
     """Was it a good grasp: grasps measured from the object's side, grippers ranked."""
     from instobj.commands.assess.command import AssessOptions, assess
+    from instobj.commands.assess.raw import assess_raw
     from instobj.commands.readings import Zeroing
+    from instobj.robot import is_foxglove
 
+    if model is None:
+        read = limit or weight or spec or zero or is_foxglove(out)
+        if protocol not in ("handling", "slip") or read:
+            raise InputError(
+                "without --model only contact slip is judged, from the first frames as rest: --limit, "
+                "--weight, --spec, --zero, --out FILE.mcap and other protocols need an estimator. Give "
+                "--model FOLDER"
+            )
+        show(assess_raw(tuple(paths), out), as_json)
+        return
     zeroing = Zeroing(*zero_and_frames(zero, 8))
     options = AssessOptions(
         tuple(paths), model, spec, protocol, limit, friction, weight, zeroing, out

@@ -78,7 +78,9 @@ def measure_of(name: str) -> Measure:
     fruit = name.removeprefix("damage_")
     return Measure(
         f"chance of damage to {fruit}", "1", f"share of {fruit} fruits that the peak damages",
-        "Hertz and the limit named below", "lower",
+        "Hertz and the limit named below. Against a solved ball of flesh its depth is 2 % high; under a "
+        "skin of 0.3 mm, ten times as stiff, depth is 8 to 12 % and work 5 to 6 % high, pressure on the skin "
+        "12 to 28 % low", "lower",
     )  # fmt: skip
 
 

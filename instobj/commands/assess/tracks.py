@@ -45,6 +45,8 @@ MOST_UNEXPLAINED = 0.5
 """Share of pressed frames without explanation from which networks read in the inversion's place."""
 _OTHERS = ("contacts.csv", "grasps.csv", *published_tables())
 """Tables that instobj writes next to recordings."""
+TENSORS = ".pt"
+"""Suffix of recordings that torch wrote: channels without names."""
 _STEP = 200
 """Frames between two words of progress."""
 
@@ -171,13 +173,13 @@ def recordings_in(given: Path) -> list[Path]:
     tables = [
         path
         for path in sorted(given.iterdir())
-        if (path.name.endswith((".csv", ".csv.gz")) or is_robot_file(path))
+        if (path.name.endswith((".csv", ".csv.gz", TENSORS)) or is_robot_file(path))
         and not (path.name.endswith(_OTHERS) or "prediction_" in path.name)
     ]
     sets = [p for p in sorted(given.glob("*.nc")) if is_data_set(p) or holds(p, "counts")]
     if not tables and not sets:
         raise InputError(
-            f"{given} holds no recording (CSV, NetCDF or bag). Give a folder that does"
+            f"{given} holds no recording (CSV, NetCDF, bag or {TENSORS}). Give a folder that does"
         )
     return sorted([*tables, *sets])
 
@@ -191,8 +193,13 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     Raises
     ------
     InputError
-        A bad file, or readings of another object.
+        A bad file, readings of another object, or channels without names.
     """
+    if path.suffix == TENSORS:
+        raise InputError(
+            f"{path} names no channels, so that no estimator can read it. Leave --model out: contact slip is "
+            "judged in the channels themselves"
+        )
     frames, faults, texts = _frames_of(path, estimators, zeroing)
     labelled = bool(np.any(frames.contact_face != NO_FACE))
     cells = frames if labelled else None

@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
+from design.spec.learning import CollectionSpec
 from estimator.frames import collection, contact_cases
 from estimator.frames import contact_traces as traces_of_cases
 from estimator.frames.collection import joined, simulate_collection
@@ -352,7 +353,9 @@ def test_two_tips_at_once_bear_twice_the_force_on_an_object_of_twice_the_modulus
 
 
 def test_handling_closes_holds_shakes_and_releases_each_grasp_once(signals, mechanics):
-    spec = spec_of(kind="handling", frames_per_case=120, non_contact_cases=1)
+    spec = spec_of(
+        kind="handling", frames_per_case=120, non_contact_cases=1, poses=CollectionSpec().poses
+    )
     frames = simulate_collection(spec, signals, "hash", mechanics)
     total = np.nansum(frames.true_force_n[..., 2], axis=1).reshape(-1, 120)
     assert total.shape[0] == 10 + 1  # the ten poses of grasps, and one case without contact
@@ -369,3 +372,53 @@ def test_handling_closes_holds_shakes_and_releases_each_grasp_once(signals, mech
     assert len(np.unique(frames.press_id)) == 11
     faces = np.unique(frames.contact_face[frames.contact_face != NO_FACE])
     assert faces.tolist() == list(spec.collection.grasp_faces)
+
+
+OPPOSITE = (((0.0, 0.0, 0.0), (3.0, 2.0, 0.0)), ((0.0, 0.0, 0.0), (3.0, -2.0, 0.0)))
+MISSED = (OPPOSITE[0], ((2.5, 0.0, 0.0), (5.5, -2.0, 0.0)))
+"""Places of two jaws in the frames of faces 3 and 5, whose y run opposite ways."""
+
+
+def handled_by(signals, mechanics, indenter=None, poses=OPPOSITE):
+    spec = spec_of(
+        QUIET, {"force_noise_n": 1e-6}, kind="handling", frames_per_case=60, non_contact_cases=1,
+        poses=poses,
+    )  # fmt: skip
+    spec = spec.changed(indenter=spec.indenter.changed(**(indenter or {})))
+    return simulate_collection(spec, signals, "hash", mechanics)
+
+
+def test_misplaced_jaws_press_alike_and_leave_a_moment(signals, mechanics):
+    opposite = handled_by(signals, mechanics)
+    missed = handled_by(signals, mechanics, poses=MISSED)
+    for frames, lever_mm in ((opposite, 0.0), (missed, 2.5)):
+        held = frames.select(np.arange(25, 28))
+        force = held.true_force_n[:, :2, 2]
+        assert_allclose(force[:, 0], force[:, 1], rtol=1e-4)
+        assert force.min() > 0.75 * 6.0
+        point = [
+            frame.to_object(np.append(frame.to_plane(held.contact_xy_mm[0, slot]), 0.0))
+            for slot, face in enumerate((3, 5))
+            for frame in face_frames(coarse_spec())
+            if frame.number == face
+        ]
+        assert np.linalg.norm((point[0] - point[1])[1:]) == pytest.approx(lever_mm, abs=1e-9)
+    assert_allclose(missed.contact_xy_mm[25, 0], opposite.contact_xy_mm[25, 0])
+    change = np.linalg.norm(missed.signal_counts[25] - opposite.signal_counts[25])
+    assert change > 0.05 * np.linalg.norm(opposite.signal_counts[25])
+
+
+def test_tilted_jaws_press_harder_on_one_side(signals, mechanics):
+    """At the same places the channels answer otherwise per newton; both jaws still press alike."""
+    jaw = {"kind": "cuboid", "size_mm": (8.0, 8.0)}
+    straight, tilted = (
+        handled_by(signals, mechanics, jaw | {"turn_deg": (0.0, 0.0, tilt)}) for tilt in (0.0, 5.0)
+    )
+    assert_allclose(tilted.contact_xy_mm[25], straight.contact_xy_mm[25])
+    answers = []
+    for frames in (straight, tilted):
+        force = frames.true_force_n[25, :2, 2]
+        assert force[0] == pytest.approx(force[1], rel=1e-4)
+        assert force[0] > 0.75 * 6.0
+        answers.append(frames.signal_counts[25] / force[0])
+    assert np.linalg.norm(answers[1] - answers[0]) > 0.05 * np.linalg.norm(answers[0])

@@ -110,6 +110,9 @@ def test_an_object_with_fewer_faces_is_recorded_on_those_it_has():
     [
         ({"faces": (3, 5)}, r"\[3, 5\] names faces without sensors; sensed are \[1, 3\]"),
         ({"kind": "continuous", "faces": (2,)}, "names faces without sensors"),
+        ({"kind": "handling", "poses": (((0.0, 0.0, 0.0),), ())}, "as many of the second"),
+        ({"kind": "handling", "poses": (((0, 0, 9.0),), ((0, 0, 0.0),))}, "turned ones"),
+        ({"kind": "handling", "poses": ((), ()), "grasp_faces": (1,)}, r"grasp_faces = \[1\]"),
         ({"kind": "grasp"}, r"grasp_faces = \[3, 5\] are not both sensed"),
         ({"poses": (((0.0, 0.0, 0.0), (0.0, 20.0, 90.0)), ())}, "poses: the probe of 2 tips"),
         ({"poses": (((9.0, 0.0, 0.0),), ())}, r"poses: .* reaches beside face 1"),

@@ -74,6 +74,29 @@ def test_an_imu_says_which_way_the_weight_pulls_and_how_hard_the_object_was_hit(
     assert grasp.readings["jolt_m_s2"].value == pytest.approx(25.0)
 
 
+def test_an_accelerated_object_balances_with_the_acceleration_only():
+    """The weight pulls along −z, friction bears it. Face 3 pushes by 2 N more, as that takes the object of
+    2 N along −x at 1 g: known to an IMU that feels it, out of balance for one that feels rest."""
+    track = squeeze(10.0, shares=(1.0, 0.8))
+    for along, balanced in (((1.0, 0.0, -1.0), True), ((-1.0, 0.0, -1.0), False)):
+        moved = replace(CONDITIONS, weight_n=2.0, motion=lying(track, along))
+        (grasp,) = measured_grasps(track, moved)
+        assert (grasp.readings["equilibrium_p"].value > 0.05) == balanced
+
+
+def test_chances_of_damage_count_what_the_object_takes_to_accelerate_at_the_peak():
+    """Jaws read as 10 and 8 N: the difference is the object's, or an error of either."""
+    track = squeeze(10.0, shares=(1.0, 0.8), sigma_n=0.6)
+    limit = DamageLimit("fruit", "force_n", 10.0, 0.02, "made up")
+    chances = []
+    for along in ((1.0, 0.0, -1.0), (0.0, 0.0, -1.0)):
+        moved = replace(CONDITIONS, weight_n=2.0, motion=lying(track, along), limits=(limit,))
+        (grasp,) = measured_grasps(track, moved)
+        chances.append(grasp.readings["damage_fruit"].value)
+    assert chances[0] == pytest.approx(0.5, abs=0.1)
+    assert chances[1] < chances[0] - 0.1
+
+
 def test_without_an_imu_or_while_it_is_silent_no_jolt_is_known():
     track = squeeze(10.0, shares=(1.0, 0.8))
     silent = recorded_motion(track.time_s, np.full((len(track.time_s), 6), np.nan))

@@ -45,6 +45,20 @@ def test_jolts_are_specific_force_off_gravity_and_silence_stays_unknown():
     assert "50.2 m/s² beyond gravity at 0.5 s" in recorded.text
 
 
+def test_the_pull_is_the_weight_with_what_acceleration_adds():
+    """1 g along +x for half a second; then silence, in which the last attitude stands."""
+    time_s, motion, down = turned((0.0, 0.0, 0.0), 2.0)
+    pushed, silent = (time_s >= 0.5) & (time_s < 1.0), time_s > 1.5
+    motion[pushed, 0] += GRAVITY_M_S2
+    motion[silent] = np.nan
+    recorded = recorded_motion(time_s, motion)
+    np.testing.assert_allclose(recorded.pull_between(0.0, 0.4), down[0], atol=1e-9)
+    np.testing.assert_allclose(recorded.pull_between(0.5, 0.99), down[0] - [1, 0, 0], atol=1e-9)
+    np.testing.assert_allclose(recorded.pull_between(1.6, 1.9), down[0], atol=1e-6)
+    nothing = recorded_motion(time_s, np.full_like(motion, np.nan))
+    assert np.isnan(nothing.pull_between(0.0, 2.0)).all()
+
+
 def test_a_recording_without_labels_gives_its_motion(tmp_path):
     time_s, motion, _ = turned((0.0, 0.0, 0.1), 1.0, 20.0)
     names = [f"acceleration_{a}_m_s2" for a in "xyz"] + [f"rate_{a}_rad_s" for a in "xyz"]
