@@ -69,7 +69,9 @@ def test_places_with_twelve_frames_or_more_become_means_of_like_force():
     place = np.array([0.0, 1.0, 2.0, 4.0])
     wanted = 100 * place[:, None] + 10 * found.force_n
     assert_allclose(found.counts, np.repeat(wanted[..., None], 9, axis=2))
-    with pytest.raises(InputError, match="got 3 such places: of 70 frames that press this face 0 press"):
+    with pytest.raises(
+        InputError, match="got 3 such places: of 70 frames that press this face 0 press"
+    ):
         pressed_places(spec, made_frames(spec, [12, 11, 12, 11, 24]), 2)
 
 
