@@ -118,19 +118,19 @@ def _rescaled(spec: ObjectSpec, part: str, range_mt: float) -> dict[str, Any]:
     InputError
         No such part or range, or a part whose noise the catalogue does not have.
     """
-    sensors, other = spec.sensors, hall_part(part)
-    covering = other.range_covering(range_mt)
+    sensors, listed = spec.sensors, hall_part(part)
+    covering = listed.range_covering(range_mt)
     counts_per_mt = covering.counts_per_mt
     times = counts_per_mt / sensors.counts_per_mt
     if part == sensors.part:
         noise = tuple(times * counts for counts in sensors.noise_counts)
         return {"counts_per_mt": counts_per_mt, "noise_counts": noise}
-    if other.noise is None:
+    if listed.noise is None:
         raise InputError(
             f"the catalogue has no noise of {part}. Choose a chip that has, or give sensors.part with "
             "sensors.noise_counts in the specification"
         )
-    noise = other.noise.scaled(counts_per_mt, sensors.averaging)
+    noise = listed.noise.scaled(counts_per_mt, sensors.averaging)
     return {
         "range_mt": covering.range_mt,
         "counts_per_mt": counts_per_mt,

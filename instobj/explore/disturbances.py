@@ -1,4 +1,4 @@
-"""How what changes since the zero, Earth's field and warmth, blurs presses on a face by hand."""
+"""Changes since the zero, Earth's field and warmth, in the channels of each face by itself."""
 
 from __future__ import annotations
 
@@ -27,5 +27,5 @@ def face_nuisances(design: ObjectSpec) -> dict[int, Float[np.ndarray, "channel k
     precision = np.eye(white.shape[1]) + informed.sum(axis=0) - informed
     # A P⁻¹ Aᵀ = B Bᵀ with B = A L⁻ᵀ and P = L Lᵀ, so B stands in the place of A.
     lower = np.linalg.cholesky(precision)
-    left = by_face @ np.linalg.inv(lower).swapaxes(1, 2)
-    return dict(zip(design.body.sensed, left, strict=True))
+    remaining = by_face @ np.linalg.inv(lower).swapaxes(1, 2)
+    return dict(zip(design.body.sensed, remaining, strict=True))

@@ -44,7 +44,7 @@ from instobj.explore.disturbances import face_nuisances
 from instobj.stages.run import Run
 
 Columns = Float[np.ndarray, "channel k"]
-"""What nuisances add to a face's channels, in standard deviations (`face_nuisances`)."""
+"""Counts that nuisances add to a face's channels, in standard deviations of each (`face_nuisances`)."""
 _PROFILE_REACH, _PROFILE_NODES = 4.0, 33
 """Thicknesses of the shell round a press in which its skin is drawn bent, and distances in that."""
 
@@ -231,7 +231,7 @@ class _FacePresses:
         return max(float(pressed.abs().max()), float(self.changes[-1].resting_counts.abs().max()))
 
     def slopes(self, nuisances: Columns) -> Float[Tensor, "channel 1 3 place"]:
-        """Return the derivatives by x, y and force at the first force, white with nuisances integrated out."""
+        """Return the derivatives by x, y and force at the first force, white, nuisances integrated out."""
         slopes = self.changes[0].by_parameter[:, :, :3]
         if not nuisances.shape[1]:
             return slopes

@@ -25,9 +25,9 @@ from instobj.viewer.scene import Arrays, add_surface, face_content
 from instobj.viewer.surface import Shaded, shaded, shaded_part
 
 _READ = (
-    "A press is read by the chips of its face, after a fresh zero. Where the object is turned and warmed since, "
-    "the other faces' chips say how far, unless score.channels is \"own\"; figures of comparison are of one "
-    "that stands still. The whole is computed by instobj run."
+    "A press is read by the chips of its face, after a fresh zero. Where the object is turned and warmed "
+    "since, the other faces' chips say how far, unless score.channels is 'own'; figures of comparison are "
+    "of one that stands still. The whole is computed by instobj run."
 )
 ACCURACY = (
     "Quick model: stiff magnets on stored presses of the shell without magnets. For 34 layouts of "
@@ -35,6 +35,8 @@ ACCURACY = (
     f"worst value; single locations scattered by 13 %. Other bodies were not compared so. {_READ}"
 )
 """Text on the page about its level: docs/measured/layout_search.md, fidelity levels."""
+COARSE_LEVEL = "A first look: whole chains had 0.7 to 1.5 times its median."
+"""Line under the numbers of a shell whose mechanics is not there yet."""
 COARSE_ACCURACY = (
     "First look: the shell as a layer by a closed form, without a mesh, at few places. Whole chains of "
     "seven bodies had 0.7 to 1.5 times its median and 0.4 to 1.5 times its 95th percentile; the few places "
@@ -83,7 +85,9 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
         "forces_n": list(explorer.forces_n),
         "chips": _ranges_by_chip(spec),
         "grades": list(GRADES),
+        "as_written": ", ".join(dict.fromkeys(spec.magnets.kinds)),
         "design": design_of(spec),
+        "level": COARSE_LEVEL if explorer.coarse else "",
         "accuracy": COARSE_ACCURACY if explorer.coarse else ACCURACY,
         "silicones": sorted({spec.silicone.name, *SILICONES}),
         "sizable": not body.from_file,

@@ -95,7 +95,7 @@ export async function startExplore(root, model) {
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
   Object.keys(content.chips).forEach((name) => find("chip-part").append(new Option(name)));
   const first = copy(content.design);
-  const asWritten = new Option("as written", "");
+  const asWritten = new Option(`as written (${content.as_written})`, "");
   asWritten.disabled = typeof first.magnets.grade === "string"; // its name stands there
   find("grade").append(asWritten, ...content.grades.map((name) => new Option(name)));
   find("disturbed").disabled = Boolean(held);
@@ -128,6 +128,7 @@ export async function startExplore(root, model) {
     presser = makePresser({ scene, body, parts, maps, view, find });
     state.presses = [];
     find("accuracy").textContent = content.accuracy;
+    find("level").textContent = content.level;
     body.fade(Number(find("opacity").value) / 100);
   }
   build(scene);

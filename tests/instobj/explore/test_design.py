@@ -75,7 +75,7 @@ def test_another_chip_has_its_range_gain_and_noise(cube):
     part = hall_part("TMAG5273A2")
     assert (other.range_mt, other.counts_per_mt) == (133.0, 250.0)
     assert other.noise_counts == pytest.approx(part.noise.scaled(250.0, spec.sensors.averaging))
-    with pytest.raises(InputError, match="the catalogue has no noise of MLX90393. Choose"):
+    with pytest.raises(InputError, match=r"the catalogue has no noise of MLX90393\. Choose"):
         changed(spec, "sensors", part="MLX90393")
     with pytest.raises(InputError, match="Hall"):
         changed(spec, "sensors", part="Hall")

@@ -216,12 +216,14 @@ def test_a_thicker_shell_is_judged_coarse_within_ten_seconds_and_undone_to_the_d
         page.ask("instobjExplore.map()"), np.float32(judged.position_bound_mm.ravel()), rtol=1e-6
     )
     assert shown(page, "accuracy").startswith("First look")
+    assert shown(page, "level").startswith("A first look")
     assert "own mechanics is being computed" in shown(page, "refined")
     click(page, "undo")
     page.wait("instobjExplore.exact()")
     page.wait("instobjExplore.idle()")
     assert page.ask("instobjExplore.map()") == map_before
     assert shown(page, "accuracy").startswith("Quick model")
+    assert shown(page, "level") == ""
 
 
 def test_a_search_is_begun_with_the_command_that_is_shown(page, served):
