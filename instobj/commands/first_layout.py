@@ -47,7 +47,7 @@ _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 _TRIED = 4
 """Layouts of a round that are checked, where those before break a check."""
 _MORE = ((0, 9), (1, 9), (2, 9))
-"""Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
+"""Sensors more on each face, and magnets at least, that are tried, the cheapest first in this list."""
 _NAMED = 0.1
 """Sum of the shares by which both bounds fall, from which a better layout is named."""
 _MORE_WITHIN = 0.05
@@ -208,8 +208,11 @@ def gain_text(content: Tables) -> str:
 
 
 def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
-    """Say which number of parts on each face brings all locations within the limit, or most of them; nothing
-    where all are."""
+    """Say which number of parts on each face brings all locations within the limit, the fewest that do, or
+    most of them; nothing where all are.
+
+    The most parts are tried first: where they are too few, so are fewer, which need no search.
+    """
     if score.within == 1:
         return ""
     shell = ShellVariant(
@@ -219,7 +222,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         spec.magnets.sizes[0].height_mm,
     )
     best, help_text = score.within + min(_MORE_WITHIN, (1 - score.within) / 2), ""
-    for sensors_more, count in _MORE:
+    for sensors_more, count in reversed(_MORE):
         # without a number asked for, more magnets were tried already: they were no better, or cannot be made
         magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
         if magnets == spec.magnets.count and not sensors_more:
@@ -234,11 +237,13 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
-        if within == 1:
-            return (
-                f"NO-GO is to be expected; {help_text} would bring every location within the limit, as a go "
-                "needs"
-            )
+        if within < 1:  # and fewer parts see less
+            break
+    if best == 1:
+        return (
+            f"NO-GO is to be expected; {help_text} would bring every location within the limit, as a go "
+            "needs"
+        )
     if help_text:
         return (
             f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} or more within the "
