@@ -137,7 +137,7 @@ def judge(
         ]
     )
     of_scores = [
-        MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
+        MM_PER_EXCESS * _excess(_to_minimize(name, scores) / most)
         for name, most in lowest.at_most.items()
     ]
     broken = torch.cat(
@@ -148,6 +148,16 @@ def judge(
         for names in (objectives, [_EASED.get(name, name) for name in objectives])
     )
     return Judged(worth, broken, scores, eased)
+
+
+def _excess(shares: Float[Tensor, "layout"]) -> Float[Tensor, "layout"]:
+    """Return by how much shares are above 1.
+
+    Slopes are 0 where none is: on a processor they are left out then, a sixth of a walk's step. A graphics
+    card would have to wait for the answer.
+    """
+    excess = torch.relu(shares - 1)
+    return excess.detach() if excess.is_cpu and not excess.any() else excess
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:

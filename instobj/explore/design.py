@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from design.catalogue.hall_sensors import hall_part
+from design.catalogue.magnets import magnet_grade
 from design.errors import InputError, InstobjError
 from design.files import atomic_path
 from design.layout.pockets import magnet_bodies, sensor_places
@@ -20,17 +22,18 @@ from instobj.commands.specification_file import line_with_value
 from instobj.search.outcome.write import write_specification
 
 Design = Mapping[str, Mapping[str, Any]]
-"""Keys of [magnets], [sensors], [shell], [silicone] and [body] that the page changes."""
+"""Keys of [magnets], [sensors], [shell], [silicone], [body] and [limits] that the page changes."""
 _OF_EACH_MAGNET = (
-    *("depth_mm", "tilt_deg", "north", "part", "grade", "remanence_t"),
+    *("depth_mm", "tilt_deg", "north", "part", "remanence_t"),
     *("diameter_mm", "inner_diameter_mm", "height_mm", "size_mm"),
 )
 _KEYS = {
-    "magnets": {"positions_mm", *_OF_EACH_MAGNET},
-    "sensors": {"positions_mm", "depth_below_core_face_mm", "range_mt", "chip"},
+    "magnets": {"positions_mm", "grade", *_OF_EACH_MAGNET},
+    "sensors": {"positions_mm", "depth_below_core_face_mm", "part", "range_mt", "chip"},
     "shell": {"thickness_mm"},
     "silicone": {"name"},
     "body": {"size_mm"},
+    "limits": {"use"},
 }
 SHELL_TABLES = ("shell", "silicone", "body")
 """Tables that the mechanics of the shell depends on."""
@@ -50,6 +53,7 @@ def design_of(spec: ObjectSpec) -> dict[str, dict[str, Any]]:
     }
     one_each |= {
         "positions_mm": _lists(magnets.positions_mm),
+        "grade": _lists(magnets.grade),
         "depth_mm": list(magnets.depths_mm) or None,
         "tilt_deg": _lists(magnets.tilt_deg or ((0.0, 0.0),) * magnets.count),
         "north": list(magnets.north or ("outward",) * magnets.count),
@@ -82,8 +86,16 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
     of_sensors = changed.get("sensors", {})
     if places := of_sensors.get("positions_mm"):
         of_sensors["count_per_face"] = len(places[0])
-    if "range_mt" in of_sensors:
-        of_sensors |= _rescaled(spec, of_sensors["range_mt"])
+    if {"part", "range_mt"} & of_sensors.keys():
+        now = {"part": spec.sensors.part, "range_mt": spec.sensors.range_mt} | of_sensors
+        of_sensors |= _rescaled(spec, now["part"], float(now["range_mt"]))
+    of_magnets = changed.get("magnets", {})
+    if grade := of_magnets.get("grade"):  # what it is made of decides how strong it is
+        of_magnets["remanence_t"] = (
+            magnet_grade(grade).remanence_t
+            if isinstance(grade, str)
+            else [magnet_grade(each).remanence_t for each in grade]
+        )
     silicone = changed.pop("silicone", {})  # another one brings all its figures
     parts = {
         table: getattr(spec, table).changed(**values) for table, values in changed.items() if values
@@ -97,14 +109,33 @@ def _default(spec: ObjectSpec, key: str, value: Any) -> bool:
     return key in usual and not getattr(spec.magnets, key) and all(v == usual[key] for v in value)
 
 
-def _rescaled(spec: ObjectSpec, range_mt: float) -> dict[str, Any]:
-    """Return gain and noise of the chip in another range: noise is the same in mT."""
-    from design.catalogue.hall_sensors import hall_part
+def _rescaled(spec: ObjectSpec, part: str, range_mt: float) -> dict[str, Any]:
+    """Return gain and noise of a chip in a range: noise of the same part is the same in mT. Another part
+    takes its narrowest range that holds this one.
 
-    counts_per_mt = hall_part(spec.sensors.part).range_covering(range_mt).counts_per_mt
-    times = counts_per_mt / spec.sensors.counts_per_mt
-    noise = tuple(times * counts for counts in spec.sensors.noise_counts)
-    return {"counts_per_mt": counts_per_mt, "noise_counts": noise}
+    Raises
+    ------
+    InputError
+        No such part or range, or a part whose noise the catalogue does not have.
+    """
+    sensors, listed = spec.sensors, hall_part(part)
+    covering = listed.range_covering(range_mt)
+    counts_per_mt = covering.counts_per_mt
+    times = counts_per_mt / sensors.counts_per_mt
+    if part == sensors.part:
+        noise = tuple(times * counts for counts in sensors.noise_counts)
+        return {"counts_per_mt": counts_per_mt, "noise_counts": noise}
+    if listed.noise is None:
+        raise InputError(
+            f"the catalogue has no noise of {part}. Choose a chip that has, or give sensors.part with "
+            "sensors.noise_counts in the specification"
+        )
+    noise = listed.noise.scaled(counts_per_mt, sensors.averaging)
+    return {
+        "range_mt": covering.range_mt,
+        "counts_per_mt": counts_per_mt,
+        "noise_counts": noise,
+    }
 
 
 def broken_limits(design: ObjectSpec) -> list[dict[str, Any]]:

@@ -12,13 +12,19 @@ from dataclasses import dataclass
 import numpy as np
 import torch
 from jaxtyping import Float
+from torch import Tensor
 
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
 from design.search.structure import size_variants
 from design.spec.object import ObjectSpec
 from estimator.field.device import one_thread
-from estimator.information.fisher import DETECTION_DISTANCE, cramer_rao_bounds
+from estimator.information.fisher import (
+    DETECTION_DISTANCE,
+    cramer_rao_bounds,
+    whitened,
+    whitened_slopes,
+)
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.bounds import bounds
 from estimator.layouts.presses.basis import PressBasis, press_bases
@@ -34,8 +40,11 @@ from estimator.layouts.scorer import (
 from estimator.layouts.without_mesh import coarse
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
+from instobj.explore.disturbances import face_nuisances
 from instobj.stages.run import Run
 
+Columns = Float[np.ndarray, "channel k"]
+"""Counts that nuisances add to a face's channels, in standard deviations of each (`face_nuisances`)."""
 _PROFILE_REACH, _PROFILE_NODES = 4.0, 33
 """Thicknesses of the shell round a press in which its skin is drawn bent, and distances in that."""
 
@@ -75,11 +84,13 @@ class Pressed:
     ----------
     changes : ∂/∂x, ∂/∂y, ∂/∂F of every channel and its change in the press itself, in standard deviations
         of its noise per mm and N
+    nuisances : what Earth's field and warmth add to the channels, in the same unit (`face_nuisances`)
     noise_counts : one standard deviation of the axes X, Y and Z
     motions : displacement (mm) and small rotation (rad) of each body in the silicone, in the face's frame
     """
 
     changes: Float[np.ndarray, "place channel 4"]
+    nuisances: Float[np.ndarray, "channel k"]
     noise_counts: Float[np.ndarray, "3"]
     motions: Float[np.ndarray, "place body 6"]
 
@@ -96,7 +107,8 @@ class Pressed:
         ordered = [np.hstack(list(np.roll(slopes, -k, axis=0))) for k in range(len(places))]
         if np.isnan(slopes).any():
             return np.full((len(places), 2, 2), np.nan)
-        return cramer_rao_bounds(np.stack(ordered), np.ones(slopes.shape[1])).position_mm2
+        noise = np.ones(slopes.shape[1])
+        return cramer_rao_bounds(np.stack(ordered), noise, self.nuisances).position_mm2
 
 
 @dataclass(frozen=True)
@@ -119,7 +131,8 @@ class Explorer:
 
     @one_thread()
     def judge(self, design: ObjectSpec, force_n: float) -> Judgement:
-        """Bounds of a design that differs in magnets' and sensors' places, poles and grades, or in chips.
+        """Bounds of a design that differs in magnets' and sensors' places, poles and grades, in chips, or in
+        its use: `limits.use` says whether nuisances are integrated out.
 
         Raises
         ------
@@ -128,9 +141,10 @@ class Explorer:
         """
         require_scorable(design)
         position, force, beyond = [], [], False
+        nuisances = face_nuisances(design)
         for face in self.presses:
             presses = self._face_presses(design, face, [force_n])
-            place_bounds, force_bounds = bounds(presses.changes[0].by_parameter[:, :, :3])
+            place_bounds, force_bounds = bounds(presses.slopes(nuisances[face]))
             position.append(self._fill_grid(face, place_bounds[0].double().numpy()))
             force.append(self._fill_grid(face, force_bounds[0].double().numpy()))
             beyond = beyond or presses.clamped
@@ -140,10 +154,10 @@ class Explorer:
     def least_forces_n(self, design: ObjectSpec) -> Float[np.ndarray, "face place"]:
         """Return forces at which the signal stands five sigma off rest, straight between `forces_n`;
         infinite where the largest of them does not reach that, NaN as in `judge`."""
-        least = []
+        least, nuisances = [], face_nuisances(design)
         for face in self.presses:
-            changes = self._face_presses(design, face, self.forces_n).changes
-            least.append(self._fill_grid(face, _crossings_n(self.forces_n, changes)))
+            distances = self._face_presses(design, face, self.forces_n).distances(nuisances[face])
+            least.append(self._fill_grid(face, _crossings_n(self.forces_n, distances)))
         return np.stack(least)
 
     @one_thread()
@@ -167,8 +181,9 @@ class Explorer:
         sigma = presses.scorers[0].sigma_counts.double().numpy()
         # (place, channel, x y F and the change itself), in standard deviations of each channel
         white = presses.changes[0].by_parameter[:, 0].permute(2, 0, 1).double().numpy()
-        motions = presses.motions(design.magnets.count)
-        return Pressed(self._fill_grid(face, white), sigma, self._fill_grid(face, motions))
+        motions = self._fill_grid(face, presses.motions(design.magnets.count))
+        nuisances = face_nuisances(design)[face]
+        return Pressed(self._fill_grid(face, white), nuisances, sigma, motions)
 
     def _face_presses(
         self, design: ObjectSpec, face: int, forces_n: Sequence[float]
@@ -215,6 +230,21 @@ class _FacePresses:
             pressed = counts_when_pressed(self.scorers[-1], self.layouts, self.changes[-1]).counts
         return max(float(pressed.abs().max()), float(self.changes[-1].resting_counts.abs().max()))
 
+    def slopes(self, nuisances: Columns) -> Float[Tensor, "channel 1 3 place"]:
+        """Return the derivatives by x, y and force at the first force, white, nuisances integrated out."""
+        slopes = self.changes[0].by_parameter[:, :, :3]
+        if not nuisances.shape[1]:
+            return slopes
+        by_place = slopes[:, 0].permute(2, 0, 1).double().numpy()
+        white = whitened_slopes(by_place, np.ones(len(slopes)), nuisances)
+        return torch.as_tensor(white, dtype=slopes.dtype).permute(1, 2, 0)[:, None]
+
+    def distances(self, nuisances: Columns) -> Float[np.ndarray, "force location"]:
+        """Return Mahalanobis distances √(ΔSᵀ Σ⁻¹ ΔS) off rest at every force."""
+        changed = [change.by_parameter[:, 0, 3].T.double().numpy() for change in self.changes]
+        noise = np.ones(len(nuisances))
+        return np.linalg.norm([whitened(rows, noise, nuisances) for rows in changed], axis=2)
+
     def motions(self, magnets: int) -> Float[np.ndarray, "location body 6"]:
         """Motions of the face's own bodies at the first force."""
         parts = self.changes[0].motions
@@ -236,12 +266,10 @@ def _same_places(a: Layouts, b: Layouts) -> bool:
 
 
 def _crossings_n(
-    forces_n: Sequence[float], changes: Sequence[PressChanges]
+    forces_n: Sequence[float], distances: Float[np.ndarray, "force location"]
 ) -> Float[np.ndarray, "location"]:
-    """Return the forces at which the first layout's signals stand `DETECTION_DISTANCE` off rest: straight
-    between forces, infinite where the largest one does not reach it."""
-    # Mahalanobis distance √(ΔSᵀ Σ⁻¹ ΔS) at every force; changes are whitened already.
-    distances = [change.by_parameter[:, 0, 3].norm(dim=0).double().numpy() for change in changes]
+    """Return the forces at which signals stand `DETECTION_DISTANCE` off rest: straight between forces,
+    infinite where the largest one does not reach it."""
     distance, force = np.stack([0 * distances[0], *distances]), np.array([0.0, *forces_n])
     reached = distance >= DETECTION_DISTANCE
     after = np.maximum(reached.argmax(axis=0), 1)

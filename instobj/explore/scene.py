@@ -11,7 +11,8 @@ from jaxtyping import Bool, Float, Int
 from trimesh.remesh import subdivide_to_size
 
 from design.body.surface_chart import FaceFrame
-from design.catalogue.hall_sensors import hall_part
+from design.catalogue.hall_sensors import HALL_PARTS, hall_part
+from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES
 from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import PlaceGrid
@@ -23,19 +24,23 @@ from instobj.viewer.archive import Stepped, pack
 from instobj.viewer.scene import Arrays, add_surface, face_content
 from instobj.viewer.surface import Shaded, shaded, shaded_part
 
+_READ = (
+    "A press is read by the chips of its face, after a fresh zero. Where the object is turned and warmed "
+    "since, the other faces' chips say how far, unless score.channels is 'own'; figures of comparison are "
+    "of one that stands still. The whole is computed by instobj run."
+)
 ACCURACY = (
     "Quick model: stiff magnets on stored presses of the shell without magnets. For 34 layouts of "
     "the paper's cube the next level gave 0.94 to 1.22 times its median and 0.87 to 1.67 times its "
-    "worst value; single locations scattered by 13 %. Other bodies were not compared so. It reads the "
-    "pressed face's own chips, of an object that stands still after a fresh zero. The whole is computed by "
-    "instobj run."
+    f"worst value; single locations scattered by 13 %. Other bodies were not compared so. {_READ}"
 )
 """Text on the page about its level: docs/measured/layout_search.md, fidelity levels."""
+COARSE_LEVEL = "A first look: whole chains had 0.7 to 1.5 times its median."
+"""Line under the numbers of a shell whose mechanics is not there yet."""
 COARSE_ACCURACY = (
     "First look: the shell as a layer by a closed form, without a mesh, at few places. Whole chains of "
     "seven bodies had 0.7 to 1.5 times its median and 0.4 to 1.5 times its 95th percentile; the few places "
-    "change the median by up to a third. It reads the pressed face's own chips, of an object that stands "
-    "still after a fresh zero. The whole is computed by instobj run."
+    f"change the median by up to a third. {_READ}"
 )
 """The same of a shell whose mechanics is not there yet: docs/measured/bodies.md."""
 _BENT = 0.1
@@ -78,13 +83,26 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
         "magnets_in_shell": spec.arrangement == "sensors-in-core",
         "tiltable": all(face.flat for face in faces) and spec.arrangement == "sensors-in-core",
         "forces_n": list(explorer.forces_n),
-        "ranges_mt": [entry.range_mt for entry in hall_part(spec.sensors.part).ranges],
+        "chips": _ranges_by_chip(spec),
+        "grades": list(GRADES),
+        "as_written": ", ".join(dict.fromkeys(spec.magnets.kinds)),
         "design": design_of(spec),
+        "level": COARSE_LEVEL if explorer.coarse else "",
         "accuracy": COARSE_ACCURACY if explorer.coarse else ACCURACY,
         "silicones": sorted({spec.silicone.name, *SILICONES}),
         "sizable": not body.from_file,
     }
     return pack(content, arrays)
+
+
+def _ranges_by_chip(spec: ObjectSpec) -> dict[str, list[float]]:
+    """Return the ranges (mT) of the specification's own chip and of those whose noise is known."""
+    parts = {spec.sensors.part: hall_part(spec.sensors.part)} | HALL_PARTS
+    return {
+        name: [entry.range_mt for entry in part.ranges]
+        for name, part in parts.items()
+        if name == spec.sensors.part or (part.ranges and part.noise is not None)
+    }
 
 
 def _room_mm(spec: ObjectSpec, faces: Sequence[FaceFrame]) -> dict[str, list[list[float]]]:

@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from design.spec.learning import LimitsSpec
 from estimator.layouts.presses.basis import press_bases
 from instobj.explore.engine import Explorer
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
@@ -11,8 +12,8 @@ FORCES_N = (2.0, 5.0, 8.0)
 
 @cache
 def made_explorer():
-    """Of the paper's cube with 5 × 4 contact locations on a face."""
-    spec = made_up_spec()
+    """Of the paper's cube with 5 × 4 contact locations on a face, which stands still as zeroed."""
+    spec = made_up_spec().changed(limits=LimitsSpec(use="bench"))
     spec = spec.changed(search=spec.search.changed(forces_n=FORCES_N))
     motions = made_up_motions(spec)
     faces = spec.body.sensed

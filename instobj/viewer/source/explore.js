@@ -16,6 +16,7 @@ const TITLES = {
   force: ["Error of the force, one standard deviation", "N"],
   least: ["Least force that is felt", "N"],
 };
+const [STILL, MOVED] = ["bench", "grasp"]; // uses without and with what changes since the zero
 const STEP_MM = 0.1;
 const RED = 0xe01b24;
 const WORSE = [0.5, 2];
@@ -92,7 +93,12 @@ export async function startExplore(root, model) {
   find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
   if (held) find("hint").textContent = "drag: turn · shift and click: press";
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
-  content.ranges_mt.forEach((range) => find("range").append(new Option(`±${range} mT`, range)));
+  Object.keys(content.chips).forEach((name) => find("chip-part").append(new Option(name)));
+  const first = copy(content.design);
+  const asWritten = new Option(`as written (${content.as_written})`, "");
+  asWritten.disabled = typeof first.magnets.grade === "string"; // its name stands there
+  find("grade").append(asWritten, ...content.grades.map((name) => new Option(name)));
+  find("disturbed").disabled = Boolean(held);
   content.silicones.forEach((name) => find("silicone").append(new Option(name)));
   find("of-size").hidden = !content.sizable;
   find("force").value = String(content.forces_n[Math.floor(content.forces_n.length / 2)]);
@@ -122,6 +128,7 @@ export async function startExplore(root, model) {
     presser = makePresser({ scene, body, parts, maps, view, find });
     state.presses = [];
     find("accuracy").textContent = content.accuracy;
+    find("level").textContent = content.level;
     body.fade(Number(find("opacity").value) / 100);
   }
   build(scene);
@@ -270,7 +277,13 @@ export async function startExplore(root, model) {
       ["tilt-x", "tilt-y"].forEach((axis, k) => setNumber(axis, design.magnets.tilt_deg[chosen.number][k]));
       find("north").value = design.magnets.north[chosen.number];
     }
+    find("grade").value = typeof design.magnets.grade === "string" ? design.magnets.grade : "";
+    if (find("chip-part").value !== design.sensors.part || !find("range").options.length) {
+      find("chip-part").value = design.sensors.part;
+      find("range").replaceChildren(...content.chips[design.sensors.part].map((range) => new Option(`±${range} mT`, range)));
+    }
     find("range").value = String(design.sensors.range_mt);
+    find("disturbed").checked = design.limits.use !== STILL;
     setNumber("chip-depth", design.sensors.depth_below_core_face_mm);
     setNumber("thickness", design.shell.thickness_mm);
     find("silicone").value = design.silicone.name;
@@ -332,6 +345,13 @@ export async function startExplore(root, model) {
   on("depth", "change", () => change(() => (depths()[state.chosen.number] = Number(find("depth").value))));
   ["tilt-x", "tilt-y"].forEach((axis, k) => on(axis, "change", () => change(({ magnets }) => (magnets.tilt_deg[state.chosen.number][k] = Number(find(axis).value)))));
   on("north", "change", () => change(({ magnets }) => (magnets.north[state.chosen.number] = find("north").value)));
+  on("grade", "change", () => change(({ magnets }) => (magnets.grade = find("grade").value || copy(first.magnets.grade))));
+  on("chip-part", "change", () => change(({ sensors }) => {
+    const ranges = content.chips[find("chip-part").value];
+    find("range").replaceChildren(); // those of the part before
+    Object.assign(sensors, { part: find("chip-part").value, range_mt: ranges.find((range) => range >= sensors.range_mt) ?? ranges.at(-1) });
+  }));
+  on("disturbed", "change", () => change(({ limits }) => (limits.use = !find("disturbed").checked ? STILL : first.limits.use === STILL ? MOVED : first.limits.use)));
   on("range", "change", () => change(({ sensors }) => (sensors.range_mt = Number(find("range").value))));
   on("chip-depth", "change", () => change(({ sensors }) => (sensors.depth_below_core_face_mm = Number(find("chip-depth").value))));
   on("thickness", "change", () => change(({ shell }) => (shell.thickness_mm = Number(find("thickness").value))));

@@ -2,6 +2,7 @@
 
 import pytest
 
+from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.spec_io import check, load_spec
 from instobj.explore.design import (
@@ -66,6 +67,26 @@ def test_another_range_has_its_gain_and_the_same_noise_in_mt(cube):
     wide = changed(spec, "sensors", range_mt=80.0).sensors
     assert wide.counts_per_mt == 410.0
     assert wide.noise_counts == pytest.approx([0.5 * one for one in spec.sensors.noise_counts])
+
+
+def test_another_chip_has_its_range_gain_and_noise(cube):
+    spec = load_spec(cube)
+    other = changed(spec, "sensors", part="TMAG5273A2").sensors
+    part = hall_part("TMAG5273A2")
+    assert (other.range_mt, other.counts_per_mt) == (133.0, 250.0)
+    assert other.noise_counts == pytest.approx(part.noise.scaled(250.0, spec.sensors.averaging))
+    with pytest.raises(InputError, match=r"the catalogue has no noise of MLX90393\. Choose"):
+        changed(spec, "sensors", part="MLX90393")
+    with pytest.raises(InputError, match="Hall"):
+        changed(spec, "sensors", part="Hall")
+
+
+def test_another_grade_brings_its_remanence(cube):
+    spec = load_spec(cube)
+    assert changed(spec, "magnets", grade="N52").magnets.remanence_t == 1.45
+    mixed = changed(spec, "magnets", grade=["N35", "N52"]).magnets
+    assert (mixed.grades, mixed.remanences_t) == (("N35", "N52"), (1.2, 1.45))
+    assert changed(load_spec(cube, ["magnets.grade=N35"]), "magnets").magnets.remanence_t == 1.2
 
 
 def test_keys_that_the_page_does_not_change_are_refused(cube):

@@ -7,13 +7,14 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.pockets import magnet_bodies
-from estimator.information.fisher import DETECTION_DISTANCE
+from estimator.information.fisher import DETECTION_DISTANCE, disturbance_counts
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import batch_scores
 from estimator.layouts.presses.layer import layer_of
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.without_mesh import first_score
 from estimator.signals.hall import full_scale_counts
+from estimator.signals.nuisances import nuisance_columns
 from instobj.explore.design import design_of, with_design
 from instobj.explore.engine import open_coarse_explorer, skin_profile_mm, summary_of
 from tests.support.made_explorer import FORCES_N, made_explorer
@@ -176,6 +177,38 @@ def test_forces_and_faces_that_are_not_at_hand_are_refused():
         explorer.judge(explorer.spec, 3.0)
     with pytest.raises(InputError, match=r"face 6 is not sensed. Press one of \[1, 2"):
         explorer.press(explorer.spec, 6, 5.0)
+
+
+@pytest.mark.parametrize("channels", ["all", "own"])
+def test_disturbances_are_unknowns_that_all_chips_read(channels):
+    """Another way: nuisances as parameters, with their prior and all chips that are read as observations."""
+    explorer, still = made_explorer(), moved(**DESIGNS["moved and turned over"])
+    still = still.changed(score=still.score.changed(channels=channels))
+    design = still.changed(limits=still.limits.changed(use="grasp"))
+    columns = nuisance_columns(design)
+    white = columns / disturbance_counts(design.sensors, "fresh", len(columns))[:, None]
+    position = explorer.judge(design, 5.0).position_bound_mm
+    force = explorer.judge(design, 5.0).force_bound_n
+    count = 3 * design.sensors.count_per_face
+    for row, face in enumerate(explorer.presses):
+        own = np.arange(row * count, (row + 1) * count)
+        seen = np.arange(len(white)) if channels == "all" else own
+        slopes = explorer.press(design, face, 5.0).changes[:, :, :3]
+        for place, slope in enumerate(slopes):
+            rows = np.zeros((len(white), 3))
+            rows[own] = slope
+            model = np.hstack([rows, white])[seen]
+            information = model.T @ model + np.diag([0.0] * 3 + [1.0] * white.shape[1])
+            variance = np.diag(np.linalg.inv(information))
+            assert_allclose(position[row, place], np.sqrt(variance[:2].sum()), rtol=2e-3)
+            assert_allclose(force[row, place], np.sqrt(variance[2]), rtol=2e-3)
+    ellipse = explorer.press(design, 3, 5.0).position_mm2([7])[0]
+    row = list(explorer.presses).index(3)
+    assert_allclose(np.sqrt(np.trace(ellipse)), position[row, 7], rtol=2e-3)
+    assert (position > explorer.judge(still, 5.0).position_bound_mm).all()
+    least = [explorer.least_forces_n(one) for one in (still, design)]
+    assert (least[1] >= least[0]).all()
+    assert (least[1] > least[0]).any()
 
 
 def test_a_summary_leaves_out_places_that_a_face_has_not():

@@ -5,12 +5,14 @@ import socket
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
 from aiohttp import web
 
 from design.layout.body import face_frames
+from design.spec_io import load_spec
 from instobj.explore.design import with_design
 from instobj.explore.engine import open_coarse_explorer, summary_of
 from instobj.explore.server import Session, application
@@ -34,7 +36,7 @@ def served(tmp_path_factory):
     (folder / "cube.toml").write_text(
         'name = "cube"  # mine\n[contact_grid]\ncount = [5, 4]\npitch_mm = 6.0\n'
         f"[sensors]\n{noise}[tolerances]\nearth_field_ut = {spec.tolerances.earth_field_ut}\n"
-        f"[search]\nforces_n = {list(FORCES_N)}\n"
+        f'[search]\nforces_n = {list(FORCES_N)}\n[limits]\nuse = "bench"\n'
     )
     app = application(Session(made_explorer(), folder / "cube.toml"), ThreadPoolExecutor(1))
     listening = socket.create_server(("127.0.0.1", 0))
@@ -214,12 +216,14 @@ def test_a_thicker_shell_is_judged_coarse_within_ten_seconds_and_undone_to_the_d
         page.ask("instobjExplore.map()"), np.float32(judged.position_bound_mm.ravel()), rtol=1e-6
     )
     assert shown(page, "accuracy").startswith("First look")
+    assert shown(page, "level").startswith("A first look")
     assert "own mechanics is being computed" in shown(page, "refined")
     click(page, "undo")
     page.wait("instobjExplore.exact()")
     page.wait("instobjExplore.idle()")
     assert page.ask("instobjExplore.map()") == map_before
     assert shown(page, "accuracy").startswith("Quick model")
+    assert shown(page, "level") == ""
 
 
 def test_a_search_is_begun_with_the_command_that_is_shown(page, served):
@@ -251,12 +255,59 @@ def test_another_force_and_a_pinned_design(page):
     assert "above 1 is worse" in page.ask("document.querySelector('.legend').innerText")
 
 
+def choose(page, name, value):
+    """Another entry of a list, as a hand chooses it."""
+    page.ask(
+        f"(() => {{ const list = document.querySelector('[data-name=\"{name}\"]'); "
+        f"list.value = '{value}'; list.dispatchEvent(new Event('change')); }})()"
+    )
+    page.wait("instobjExplore.idle()")
+
+
+def test_grade_chip_and_disturbances_change_the_map_and_are_saved(page, served, tmp_path):
+    before = np.array(page.ask("instobjExplore.map()"))
+    for act, tables in (
+        (lambda: choose(page, "grade", "N35"), {"magnets": {"grade": "N35"}}),
+        (
+            lambda: choose(page, "chip-part", "TMAG5273A2"),
+            {"sensors": {"part": "TMAG5273A2", "range_mt": 133}},
+        ),
+        (lambda: click(page, "disturbed"), {"limits": {"use": "grasp"}}),
+    ):
+        act()
+        for table, values in tables.items():
+            assert values.items() <= design(page)[table].items()
+        after = np.array(page.ask("instobjExplore.map()"))
+        np.testing.assert_array_equal(after, np.float32(expected(page).ravel()))
+        # less field, more noise, and unknowns: each blurs every place
+        assert (after > before).all()
+        before = after
+    assert shown(page, "range") == "±133 mT\n±266 mT"
+    _, folder = served
+    made_before = set(folder.glob("*.toml"))
+    click(page, "save")
+    page.wait("document.querySelectorAll('[data-name=commands] code').length === 3")
+    (saved,) = set(folder.glob("*.toml")) - made_before
+    spec = load_spec(saved)
+    assert (spec.magnets.grade, spec.sensors.part, spec.limits.use) == (
+        "N35",
+        "TMAG5273A2",
+        "grasp",
+    )
+    for _ in range(3):
+        click(page, "undo")
+    assert page.ask("document.querySelector('[data-name=disturbed]').checked") is False
+    assert shown(page, "range") == "±40 mT\n±80 mT"
+    assert design(page)["magnets"]["grade"] is None
+
+
 def test_a_saved_design_has_its_commands(page, served):
     _, folder = served
     click(page, "save")
     page.wait("document.querySelectorAll('[data-name=commands] code').length === 3")
-    assert f"instobj check {folder}/cube_explored_1.toml" in shown(page, "commands")
-    assert "# mine" in (folder / "cube_explored_1.toml").read_text()
+    path = shown(page, "commands").split("instobj check ")[1].split("\n")[0]
+    assert path.startswith(f"{folder}/cube_explored_")
+    assert "# mine" in Path(path).read_text()
 
 
 def test_an_exported_page_is_pressed_and_not_dragged(browser, tmp_path):
