@@ -81,8 +81,8 @@ def first_score(spec: ObjectSpec) -> FirstScore:
             layouts = layouts_of(spec, scorer.presses.face)
             changes = press_changes(scorer, layouts).by_parameter
             position.append(bounds(changes[:, :, :3])[0].flatten().numpy())
-            # the fourth is the change in the press itself, in standard deviations
-            signal.append(changes[:, 0, 3].norm(dim=0).numpy())
+            # the third is the change with force, in standard deviations per N
+            signal.append(scorer.presses.force_n * changes[:, 0, 2].norm(dim=0).numpy())
     bound_mm, distance = np.concatenate(position), np.concatenate(signal)
     limits, share = spec.limits, spec.limits.detectable_force_n / spec.score.force_n
     return FirstScore(

@@ -32,7 +32,8 @@ _PITCH, _DEPTHS = 3.0, 6.0
 """Steps of candidates along the surface and in depth, as shares of the shell's thickness: an eighth of what a
 press moves is between two of them."""
 _KEPT_OFF = 1.2
-"""Thicknesses of the shell from a face's border, nearer to which presses count as at that distance.
+"""Thicknesses of the shell from a face's border, nearer to which bounds of presses count as at that
+distance; what moves in them is shown where they are.
 
 A layer knows no border and moves nothing beyond it. A real shell gives way there by up to twice as much, and
 its neighbours' magnets move too: at 0.5 to 1 thicknesses from the border whole chains of three boxes had 0.2
@@ -65,10 +66,12 @@ def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32)
     }
     has_place, lattice = contact_places(spec)[spec.body.sensed.index(face)], lattices[face]
     places = contact_grid(spec).xy_mm[has_place]
+    motion = _motions(spec, here, lattice, places)
     # No press lies beyond the middle of a face that is smaller than twice that.
     most = np.maximum(np.array(here.half_extents_mm) - _KEPT_OFF * thickness, 0.0)
-    places = np.clip(places, -most, most)
-    motion = _motions(spec, here, lattice, places)
+    farther_in = _motions(spec, here, lattice, np.clip(places, -most, most))
+    derivatives = 3 * len(places)
+    motion[..., :derivatives] = farther_in[..., :derivatives]
     # Every quantity of every place is a mode of its own.
     modes = np.eye(motion.shape[2]).reshape(-1, 4, len(places))
     (rows,), basis = compressed([motion], modes, rms(motion, modes), len(modes))
