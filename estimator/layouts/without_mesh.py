@@ -1,7 +1,7 @@
 """Layouts scored and improved before there is a mesh: the lowest fidelity level on the presses of a layer.
 
 `estimator.layouts.presses.layer` presses; fields, noise, bounds and limits are those of a search. Whole
-chains of seven bodies had 0.7 to 1.5 times the median bound and 0.4 to 1.5 times the 95th percentile
+chains of eight bodies had 0.6 to 2.1 times the median bound and 0.3 to 0.7 times the 95th percentile
 (docs/measured/bodies.md). On a coarse mesh of a box the lowest level with mechanics ranked 64 layouts nearly
 alike (Spearman 0.82 for the median, 0.52 for the 95th percentile).
 """
@@ -31,9 +31,11 @@ from design.search.structure import with_structure
 from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
 from design.spec.search import OVER_LIMIT
+from estimator.information.fisher import DETECTION_DISTANCE
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import position_bounds
+from estimator.layouts.bounds import bounds
 from estimator.layouts.polish import AFTER_ALL, Judged, LowestFidelity, descend, judge
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.presses.layer import layer_basis
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -65,24 +67,34 @@ Points = Float[np.ndarray, "layout variable"]
 @dataclass(frozen=True)
 class FirstScore:
     """Position bounds (mm) of an object over its contact locations, at `score.force_n`, by a layer's presses:
-    median, 95th percentile, and share within `limits.position_bound_mm`."""
+    median, 95th percentile, and share within `limits.position_bound_mm`; share that feels a touch of
+    `limits.detectable_force_n`, with signals in proportion to force."""
 
     median_mm: float
     percentile_95_mm: float
     within: float
+    felt: float = 1.0
 
 
 def first_score(spec: ObjectSpec) -> FirstScore:
     """Score a specification without a mesh, on all sensed faces."""
     spec = coarse(spec)
     scorers = [layout_scorer(spec, layer_basis(spec, face)) for face in spec.body.sensed]
-    layouts = [layouts_of(spec, scorer.presses.face) for scorer in scorers]
+    position, signal = list[np.ndarray](), list[np.ndarray]()
     with torch.no_grad():
-        bounds = torch.cat([part.flatten() for part in position_bounds(scorers, layouts)]).numpy()
+        for scorer in scorers:
+            layouts = layouts_of(spec, scorer.presses.face)
+            changes = press_changes(scorer, layouts).by_parameter
+            position.append(bounds(changes[:, :, :3])[0].flatten().numpy())
+            # the third is the change with force, in standard deviations per N
+            signal.append(scorer.presses.force_n * changes[:, 0, 2].norm(dim=0).numpy())
+    bound_mm, distance = np.concatenate(position), np.concatenate(signal)
+    limits, share = spec.limits, spec.limits.detectable_force_n / spec.score.force_n
     return FirstScore(
-        float(np.median(bounds)),
-        float(np.percentile(bounds, 95.0)),
-        float(np.mean(bounds <= spec.limits.position_bound_mm)),
+        float(np.median(bound_mm)),
+        float(np.percentile(bound_mm, 95.0)),
+        float(np.mean(bound_mm <= limits.position_bound_mm)),
+        float(np.mean(share * distance >= DETECTION_DISTANCE)),
     )
 
 

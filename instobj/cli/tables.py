@@ -95,7 +95,11 @@ def _print_findings(console: Console, item: dict[str, Any]) -> None:
         for finding in item["findings"]
         if finding["status"] != "pass"
     ]
-    console.print(f"{len(item['findings']) - len(rows)} of {len(item['findings'])} checks pass")
+    failed = sum(row["status"] == "fail" for row in rows)
+    onwards = f"stop: `build` refuses what fails ({failed})" if failed else "go on: nothing fails"
+    onwards += "; warnings alone stop nothing" if len(rows) > failed else ""
+    passed = len(item["findings"]) - len(rows)
+    console.print(f"{passed} of {len(item['findings'])} checks pass; {onwards}")
     if rows:
         _print_rows(console, "not passed", rows)
     alike: dict[tuple[str, str, str], list[str]] = {}

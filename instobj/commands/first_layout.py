@@ -248,6 +248,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
+            help_text += _otherwise_text(spec, spec_of(placed))
         if within < 1:  # and fewer parts see less
             break
     if best == 1:
@@ -265,6 +266,25 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         f"to {request.sensors + 2} sensors on each face found little better: take a smaller body, a softer "
         "silicone, or raise limits.position_bound_mm"
     )
+
+
+def _otherwise_text(spec: ObjectSpec, larger: ObjectSpec) -> str:
+    """Say what else a larger number of parts changes; nothing where the shell and the magnets stay."""
+
+    def figures(either: ObjectSpec) -> dict[str, str]:
+        magnet = either.magnets.sizes[0]
+        return {
+            "a shell of": f"{either.shell.thickness_mm:g} mm",
+            "magnets of": f"Ø{magnet.diameter_mm:g} × {magnet.height_mm:g} mm",
+        }
+
+    now, after = figures(spec), figures(larger)
+    changed = [
+        f"{what} {after[what]} (not {now[what]})" for what in now if after[what] != now[what]
+    ]
+    if not changed:
+        return ""
+    return f", which is another object with {' and '.join(changed)}, its range and places chosen again,"
 
 
 def _parts_text(sensors_more: int, counts: tuple[int, int | None]) -> str:

@@ -15,7 +15,7 @@ NEXT = {
     "check": "score",
     "check failed": "check --fabrication",
     f"score {GO}": "run",
-    f"score {NO_GO}": "optimize",
+    f"score {NO_GO}": "run --to verdict",
     f"run {GO}": "build",
     f"run {NO_GO}": "optimize",
     "run": "score",
@@ -63,6 +63,10 @@ def verdict_step(
         return next_step("run", *specs, out=out, overrides=overrides)
     if not failing:
         return next_step(f"{command} {GO}", *specs, out=out, overrides=overrides)
+    if command == "score":  # what to change is said before a search is worth its time
+        return next_step(f"score {NO_GO}", failing[0], out=out, overrides=overrides)
+    if (failing[0].parent / "search.json").is_file():  # left by a search that has just been done
+        return next_step("no search")
     # slow to load, the second by torch
     from design.search.space import search_space
     from design.spec_io import load_spec

@@ -52,12 +52,15 @@ def chosen_text(spec: ObjectSpec, placed: bool) -> str:
 
 
 def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
-    """Say which position bounds to expect."""
+    """Say which position bounds to expect, and whether light touches are felt; ranges are those of
+    docs/measured/bodies.md."""
+    felt = f"about {percent_text(score.felt)} feel" if score.felt < 1 else "all feel"
     return (
         f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of two) and "
-        f"{score.percentile_95_mm:.2g} mm (95th percentile, within three); "
+        f"{score.percentile_95_mm:.2g} mm (95th percentile, a third of that to all of it); "
         f"about {percent_text(score.within)} of the contact locations within "
-        f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm"
+        f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; {felt} a touch of "
+        f"limits.detectable_force_n = {spec.limits.detectable_force_n:g} N"
     )
 
 

@@ -41,7 +41,8 @@ def explore(
     """
     progress = ProgressLine()
     if request is not None and spec is None:
-        spec = requested_specification(request, progress.say)
+        with progress.stage("parts placed by rules, checked for fabrication"):
+            spec = requested_specification(request, progress.say)
     elif request is not None or spec is None:
         raise InputError(
             "explore takes a specification, or --kind and --size of a new one. Give one of them"
@@ -55,7 +56,8 @@ def explore(
         with atomic_path(export) as temporary:
             temporary.write_text(session.exported(), encoding="utf-8")
         return {"command": "explore", "files": file_rows([export])}
-    session = Session(open_shell(design), spec)
+    with progress.stage("first map of the shell"):
+        session = Session(open_shell(design), spec)
     try:
         listening = socket.create_server((ADDRESS, port))
     except OSError as error:

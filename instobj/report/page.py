@@ -20,7 +20,7 @@ from instobj.report.cells import shown
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import deformation_section
 from instobj.report.pages import write_page
-from instobj.report.remedies import edges_text, remedies_section
+from instobj.report.remedies import edges_text, remedies_section, worst_edge_text
 from instobj.report.summary import cross_face_rows, part_rows
 from instobj.report.surroundings import GRASP_HEADER, grasp_rows, surroundings_section
 from instobj.report.uncertainty import (
@@ -85,7 +85,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
             for check in verdict.checks
         ],
         **remedies_section(spec, alternatives, verdict.go),
-        edge_text=edges_text(spec, edges, alternatives["alternatives"]),
+        edge_text=edges_text(spec, edges, alternatives["alternatives"])
+        + worst_edge_text(spec, scores, edges),
         surroundings=surroundings_section(surroundings),
         grasp_header=GRASP_HEADER,
         grasp_rows=grasp_rows(surroundings),

@@ -11,15 +11,19 @@ from math import isfinite
 from operator import mul
 from typing import Any
 
+from design.body.surface_chart import FACE_AXES
 from design.spec.object import ObjectSpec
+from estimator.information.scores import PlaceScores, weakest_place
 from instobj.report.cells import GO, NO_GO, percent_text
 from instobj.report.verdict import (
     LEAST_REACHED,
     judge,
     located_text,
     objects_text,
+    place_text,
     short_text,
     shown_against_limit,
+    sides_of,
     worst_ratio,
 )
 from instobj.report.weak_areas import are_weak, edge_text
@@ -151,6 +155,23 @@ def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, A
     return f"{text}. {effect} by {_joined(best.changes)}: {better[best]:.2g} mm"
 
 
+def worst_edge_text(spec: ObjectSpec, scores: PlaceScores, content: dict[str, Any]) -> str:
+    """Return where the worst location is, as a clause, where it is at an edge though edges are not weak."""
+    worst = weakest_place(scores)
+    xy_mm = worst.x_mm, worst.y_mm
+    if are_weak(content) or not (sides := sides_of(spec, worst.face, xy_mm)):
+        return ""
+    text = f"; but the worst location lies {place_text(spec, worst.face, xy_mm)}"
+    # the side of an edge faces along that axis of its face
+    _, *axes = FACE_AXES[worst.face]
+    outwards = [
+        tuple((1 if side[0] == "+" else -1) * part for part in axes["xy".index(side[1])])
+        for side in sides
+    ]
+    opened = [face for face in spec.body.opened if FACE_AXES[face][0] in outwards]
+    return f"{text}, next to the open side {opened[0]}" if opened else text
+
+
 DESIGN_STAGES = ("scores", "weak_areas", "press_curves")
 """Stages that a verdict by the design alone is read from."""
 
@@ -179,6 +200,7 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
         lines["edges"] = edges_text(spec, edges, rows)
         lines["what to change"] = decision(remedies(spec, rows), verdict.go)
+    lines["edges"] += worst_edge_text(spec, scores, edges)
     return lines
 
 
@@ -216,7 +238,8 @@ def decision(candidates: list[Remedy], go: bool) -> str:
         )
     return (
         f"None of the changes tried is enough, alone or with others. {helps}. Next to try: other places "
-        "(instobj optimize), or a thinner shell or larger magnets in the file"
+        "(instobj optimize), then in the file magnets half as high again (magnets.height_mm) or a shell a "
+        "quarter thinner (shell.thickness_mm), as far as instobj check takes them"
     )
 
 

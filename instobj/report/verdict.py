@@ -174,15 +174,22 @@ _MIDDLE, _OUTER = 1 / 3, 2 / 3
 """Shares of a face's half extent below which a location is in its middle, and above which at its edge."""
 
 
-def place_text(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> str:
-    """Say in words where on a face a location is: its middle, an edge or a corner, by the face's x and y."""
+def sides_of(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> list[str]:
+    """Return the edges of a face that a location is near, as "+x"; none in its inner part."""
     frame = next(frame for frame in face_frames(spec) if frame.number == face)
     shares = np.divide(xy_mm, frame.half_extents_mm)
-    sides = [
+    return [
         f"{'+' if share > 0 else '−'}{axis}"
         for axis, share in zip("xy", shares, strict=True)
         if abs(share) >= _OUTER
     ]
+
+
+def place_text(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> str:
+    """Say in words where on a face a location is: its middle, an edge or a corner, by the face's x and y."""
+    frame = next(frame for frame in face_frames(spec) if frame.number == face)
+    shares = np.divide(xy_mm, frame.half_extents_mm)
+    sides = sides_of(spec, face, xy_mm)
     coordinates = f"({xy_mm[0]:g}, {xy_mm[1]:g}) mm"
     if len(sides) == 2:
         return f"near the corner {' '.join(sides)} of face {face}, at {coordinates}"

@@ -64,7 +64,10 @@ def optimize(
     progress = ProgressLine()
     limit = TimeLimit(spec.search.seconds)
     # refuses before there is a study to resume
-    plans = limit.plan, _mechanics_plan(spec, limit), forces_plan(spec)
+    lowest_s, chain_s = _mechanics_seconds(spec)
+    plans = [limit.mechanics_plan(lowest_s, chain_s), forces_plan(spec)]
+    if limit.holds_trials(lowest_s):
+        plans = [limit.plan, *plans]
     kept = open_trials(spec, folder / "trials.jsonl", resume)
     for plan in plans:
         progress.say(plan)
@@ -76,7 +79,7 @@ def optimize(
     keep_best()
     with (
         _kept_on_interrupt(kept, progress),
-        limit.enforced(keep_best),
+        limit.enforced(keep_best, limit.enough_s(lowest_s, chain_s) if lowest_s else 0.0),
         open_workers(workers, scheduler, progress) as others,
     ):
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others, keep_best)
@@ -186,13 +189,14 @@ def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path
     return f" The best so far, {said}, is {folder / BEST}. {what}."
 
 
-def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
+def _mechanics_seconds(spec: ObjectSpec) -> tuple[float, float]:
+    """Return the time of mechanics of the lowest fidelity level that are not stored, and of a chain."""
     estimate = search_seconds(spec)
     missing = sum(
         Run(variant, checked=False).stored("candidates") is None
         for variant in searched_size_variants(spec)
     )
-    return limit.mechanics_plan(missing * estimate.lowest, estimate.chain)
+    return missing * estimate.lowest, estimate.chain
 
 
 @contextmanager

@@ -67,6 +67,17 @@ class TimeLimit:
             f"check the best until {round(self.searching_s)} s; then write the page"
         )
 
+    def holds_trials(self, lowest_s: float) -> bool:
+        """Return whether mechanics that are estimated to take `lowest_s` leave time for trials."""
+        return lowest_s < TRIALS_SHARE * self.searching_s
+
+    def enough_s(self, lowest_s: float, chain_s: float) -> float:
+        """Return the time to ask for, rounded up to 100 s: mechanics in the trials' share, and chains
+        twice as long as estimated."""
+        whole_s = lowest_s + _CHAINS * chain_s
+        needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
+        return 100 * ceil(needed_s / 100)
+
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
         """Return what of the time mechanics will take, in words; `lowest_s` 0 where those are stored.
 
@@ -82,10 +93,9 @@ class TimeLimit:
             f"{_describe_seconds(lowest_s)} of one free core, half to twice as long"
         )
         whole_s = lowest_s + _CHAINS * chain_s
-        needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
-        if needed_s <= self.seconds:
+        if max(lowest_s / TRIALS_SHARE, 2 * whole_s) <= (1 - _PAGE_SHARE) * self.seconds:
             return text
-        give = f"give about {100 * ceil(needed_s / 100)}"
+        give = f"give about {self.enough_s(lowest_s, chain_s):g}"
         if whole_s > _QUICKER * self.searching_s:
             raise InputError(
                 f"search.seconds = {self.seconds:g} ends before a search has a result: {text}, and "
@@ -102,9 +112,14 @@ class TimeLimit:
         )
 
     @contextmanager
-    def enforced(self, first_look: Callable[[], str] = lambda: "") -> Iterator[None]:
+    def enforced(
+        self, first_look: Callable[[], str] = lambda: "", enough_s: float = 0.0
+    ) -> Iterator[None]:
         """Break off what runs in here when the time is spent; `first_look` then keeps the best so far, and
         says where and what else is kept.
+
+        The error asks for `enough_s`, what was advised at the start, where that is more than was given; else
+        for twice the time.
 
         Work in compiled code ends first: a factorization of the default mesh takes seconds. Work that
         can be left out catches `TimeSpent`, once. On systems without interval timers (Windows) nothing
@@ -124,9 +139,10 @@ class TimeLimit:
             yield
             signal.setitimer(signal.ITIMER_REAL, 0)
         except TimeSpent:
+            again_s = enough_s if enough_s > self.seconds else 2 * self.seconds
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
-                f"was a result.{first_look()} Go on with --resume and search.seconds = {2 * self.seconds:g}, "
+                f"was a result.{first_look()} Go on with --resume and search.seconds = {again_s:g}, "
                 "all other options as before"
             ) from None
         finally:

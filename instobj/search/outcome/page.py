@@ -21,6 +21,7 @@ from instobj.search.outcome.figures import LABELS, draw_convergence
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.search.outcome.moves import moved_parts
 from instobj.search.outcome.rows import estimator_rows, promotion_tables, ratio_rows
+from instobj.search.verdict import best_known
 from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
@@ -64,6 +65,7 @@ def write_search_page(
         "search.html.j2",
         name=start.name,
         found=promotion,
+        start_kept=best_known(start.search, promotion) is promotion.start,
         covered=covered_share(promotion.best.spec),
         history=history,
         objectives=len(history.names),

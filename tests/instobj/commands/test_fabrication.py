@@ -55,9 +55,22 @@ def test_a_failure_ends_with_1_and_is_told_with_its_place(checked):
     assert result["findings"][1]["place_mm"] == [4.0, -5.0, 6.0]
     for name in ("fabrication.json", "fabrication.png"):
         assert (folder / "cad_out" / "cube" / name).is_file()
-    shown = run(folder).stdout
-    assert "1 of 4 checks pass" in shown
+    shown = " ".join(run(folder).stdout.split())
+    assert (
+        "1 of 4 checks pass; stop: `build` refuses what fails (1); warnings alone stop nothing"
+        in shown
+    )
+    assert "go on" not in shown
     assert "4.0, -5.0, 6.0" in shown
+
+
+def test_warnings_alone_say_to_go_on(checked):
+    folder, found = checked
+    found[:] = [finding("draft", "shell", "warn"), finding("closed surface", "core", "pass")]
+    done = run(folder)
+    assert done.exit_code == 0
+    shown = " ".join(done.stdout.split())
+    assert "1 of 2 checks pass; go on: nothing fails; warnings alone stop nothing" in shown
 
 
 def test_build_refuses_what_fabrication_fails_on_and_writes_nothing(checked):

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from design.fabrication.layout import failures, layout_findings
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
 from design.placement.objects import (
     COARSE,
     SHELL_VARIANTS,
@@ -16,6 +18,10 @@ from design.placement.objects import (
     spec_of,
 )
 from estimator.field.seating import all_stay, gap_that_holds_mm
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.batch_scores import position_bounds
+from estimator.layouts.presses.layer import layer_basis
+from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.without_mesh import LevelWithoutMesh, coarse, first_score
 from instobj.commands.first_layout import BRIEF, gain_text, improved
 from instobj.commands.run import check
@@ -88,6 +94,27 @@ def test_bounds_of_few_places_are_those_of_more(placed):
     coarser = spec.changed(contact_grid=spec.contact_grid.changed(pitch_mm=6.5))
     medians = [first_score(one).median_mm for one in (fine, coarser)]
     np.testing.assert_allclose(*medians, rtol=0.35)
+
+
+def test_a_place_has_the_same_bound_among_few_places_and_among_many():
+    """With 1.3 vectors a place, bounds of places 7 mm apart were up to 60 times too small."""
+    request = Request("pad", (60.0, 42.0, 11.0), sensors=2, magnets=4)
+    spec = spec_of(next(fitting_tables(request, SHELL_VARIANTS[-1:], COARSE)))
+    by_place = []
+    for pitch in (4.0, 8.0):
+        # as odd as even: both have a place in the middle of the face
+        gridded = spec.changed(contact_grid={"pitch_mm": pitch, "count": [int(40 / pitch) + 1] * 2})
+        face = gridded.body.sensed[0]
+        scorer = layout_scorer(gridded, layer_basis(gridded, face))
+        (bound,) = position_bounds([scorer], [layouts_of(gridded, face)])
+        places = contact_grid(gridded).xy_mm[contact_places(gridded)[0]].round(6).tolist()
+        by_place.append(dict(zip(map(tuple, places), bound[0].tolist(), strict=True)))
+    many, few = by_place
+    shared = [place for place in few if place in many]
+    assert len(shared) > 10
+    np.testing.assert_allclose(
+        [few[place] for place in shared], [many[place] for place in shared], rtol=0.02
+    )
 
 
 def test_what_a_better_layout_would_gain_is_what_first_scores_say(placed, moved):

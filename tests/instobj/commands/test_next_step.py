@@ -41,7 +41,7 @@ def test_what_was_set_and_where_results_lie_is_handed_on():
 
 @pytest.mark.parametrize(
     ("verdicts", "following"),
-    [(("GO", "GO"), "run"), (("GO", "NO-GO"), "optimize"), (("GO", None), "score")],
+    [(("GO", "GO"), "run"), (("GO", "NO-GO"), "run --to verdict"), (("GO", None), "score")],
 )
 def test_the_verdict_chooses_what_comes_next(tmp_path, verdicts, following):
     specs = [tmp_path / f"{name}.toml" for name in "ab"]
@@ -51,5 +51,14 @@ def test_the_verdict_chooses_what_comes_next(tmp_path, verdicts, following):
     document = {"objects": [{"summary": summary} for summary in summaries]}
     command = "run" if following == "score" else "score"
     words = shlex.split(verdict_step(command, specs, Path(), [], document))
-    assert words[1] == following
-    assert words[2:] == [str(path) for path in specs if following != "optimize" or path == specs[1]]
+    named = [path for path in specs if "verdict" not in following or path == specs[1]]
+    assert words[1:] == [*following.split(), *map(str, named)]
+
+
+def test_what_a_search_left_behind_is_not_searched_again(tmp_path):
+    path = tmp_path / "best.toml"
+    path.write_text('name = "a_best"\n')
+    document = {"objects": [{"summary": {"verdict": {"NO-GO": ""}}}]}
+    assert verdict_step("run", [path], Path(), [], document).startswith("instobj optimize ")
+    (tmp_path / "search.json").write_text("{}")
+    assert verdict_step("run", [path], Path(), [], document) == "instobj docs layout_search"

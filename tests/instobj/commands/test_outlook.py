@@ -74,11 +74,37 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
 
 @pytest.mark.slow
 def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
-    """Of a cylinder with 97 % within: nothing can bring 5 % more."""
-    request, shell = Request("cylinder", (60.0, 60.0, 80.0)), ShellVariant(8.0, 6.0, 5.0, 3.0)
-    tables = next(fitting_tables(replace(request, magnets=9), (shell,), COARSE))
+    """Of a pad with 97 % within: nothing can bring 5 % more."""
+    request = Request("pad", (36.0, 36.0, 12.0), sensors=2)
+    tables = placed(replace(request, magnets=9))
     told = parts_that_help(request, spec_of(tables), FirstScore(0.6, 1.4, 0.97))
     assert re.search(r"; \d more .* would bring every location within the limit", told)
+
+
+@pytest.mark.slow
+def test_parts_that_ask_for_another_shell_say_which():
+    """Two more sensors of a box meant a shell of 5 instead of 8 mm and smaller magnets, unsaid."""
+    request, shell = Request("box", (55.0, 40.0, 45.0)), ShellVariant(8.0, 6.0, 5.0, 1.0)
+    tables = next(fitting_tables(replace(request, magnets=9), (shell,), COARSE))
+    told = parts_that_help(request, spec_of(tables), FirstScore(0.6, 3.5, 0.1))
+    assert re.search(
+        r"--sensors \d\), which is another object with a shell of [\d.]+ mm \(not 8 mm\) and magnets of",
+        told,
+    )
+
+
+def test_lighter_limits_are_felt_at_fewer_locations(big):
+    """Signals grow with force."""
+    spec = spec_of(big[1])
+    felt = [
+        first_score(spec.changed(limits={"detectable_force_n": force})).felt
+        for force in (0.01, 1.0, 5.0, 500.0)
+    ]
+    assert felt == sorted(felt)
+    assert felt[0] == 0
+    assert felt[-1] > felt[1]
+    text = expected_text(spec, FirstScore(0.5, 1.6, 0.9, 0.93))
+    assert "about 93 % feel a touch of limits.detectable_force_n = 5 N" in text
 
 
 def test_more_magnets_are_named_only_where_a_number_was_asked_for():

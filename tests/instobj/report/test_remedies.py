@@ -1,9 +1,18 @@
 """What turns a no-go into a go: the cheapest change that is enough, by hand from small tables."""
 
+import numpy as np
 import pytest
 
+from design.layout.places.contact_grid import contact_grid
 from design.spec_io import parse_spec
-from instobj.report.remedies import decision, edges_text, remedies, remedies_section
+from instobj.report.remedies import (
+    decision,
+    edges_text,
+    remedies,
+    remedies_section,
+    worst_edge_text,
+)
+from tests.support.objects.made_scores import scores_of
 
 SPEC = parse_spec(
     {
@@ -197,3 +206,28 @@ def test_weak_edges_come_with_the_cheapest_change_that_halves_their_bound(after_
     assert text == f"weak, 1.8 times as uncertain as the middle{sentence}"
     strong = weak | {"edge_ratio": 1.2}
     assert edges_text(SPEC, strong, rows) == "not weak, 1.2 times as uncertain as the middle"
+
+
+@pytest.mark.parametrize(
+    ("face", "direction", "said"),
+    [
+        (2, (1, 0), "; but the worst location lies near the middle of the edge +x of face 2, at"),
+        (1, (1, 0), "; but the worst location lies near the middle of the edge +x of face 1, at"),
+        (1, (0, 0), ""),
+    ],
+)
+def test_edges_that_are_not_weak_do_not_hide_that_the_worst_location_is_at_one(
+    face, direction, said
+):
+    """Of a box "as good as the middle" stood above a worst location next to its open side."""
+    xy_mm = contact_grid(SPEC).xy_mm
+    bounds = np.ones((5, len(xy_mm)))
+    # outermost in that direction, in the middle of the other; the middle for none
+    worst = np.argmax(xy_mm @ direction - 0.1 * np.abs(xy_mm).sum(axis=1))
+    bounds[face - 1, worst] = 4.0
+    text = worst_edge_text(SPEC, scores_of(SPEC, bounds), {"edge_ratio": 1.0})
+    assert text.startswith(said)
+    assert bool(text) == bool(said)
+    # face 2 runs along −z in x, and the open side is 6, −z
+    assert text.endswith(", next to the open side 6") == (face == 2)
+    assert worst_edge_text(SPEC, scores_of(SPEC, bounds), {"edge_ratio": 2.0}) == ""

@@ -100,6 +100,23 @@ def test_without_the_whole_chain_the_page_shows_the_second_level(tmp_path, resul
         assert absent not in told
 
 
+def test_the_page_says_where_best_toml_is_your_own_layout(tmp_path, results, monkeypatch):
+    for module, names in DRAWN.items():
+        for name in names:
+            monkeypatch.setattr(module, name, _dots)
+    found, spec = promote(("it is worse",)), parse_spec({"name": "start"}, "s")
+    swapped = replace(found.best, levels=found.start.levels)
+    found = replace(found, start=replace(found.start, levels=found.best.levels))
+    found = replace(found, leaders=(swapped,), finalists=(swapped,))
+    layouts = [ShownLayout(one.label, one.spec, (2.0, 3.0)) for one in (found.start, found.best)]
+    path = write_search_page(spec, found, made_up_history(), layouts, results, tmp_path, print)
+    told = read(path.read_text(encoding="utf-8"))
+    assert (
+        "best.toml is your own layout; trial 7 <b>, the best one found, is shown here to compare"
+        in told
+    )
+
+
 @pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])
 def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch):
     if objections:  # its pictures are those of the other page
@@ -114,6 +131,10 @@ def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch
     told = read(text)
     assert ("NOT BETTER" in told) == bool(objections)
     assert "the objectives' mean is not better" in told or not objections
+    # the best one found halves every bound here
+    assert ("best.toml is trial 7 <b>, which is shown here all the same" in told) == bool(
+        objections
+    )
     assert "trial 7 <b> against the start." in told, "text is escaped"
     assert "12.35" in told or "12.34" in told
     assert 'class="no-go">NO<' in text, "a part that is not watertight stands out"

@@ -94,6 +94,28 @@ def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
         time.sleep(5)
 
 
+def test_after_mechanics_were_made_no_more_is_asked_for_than_was_said():
+    """Of a search that was warned to take 900 s the end asked for 1560."""
+    limit = TimeLimit(0.01)
+    assert limit.enough_s(300.0, 60.0) == 900
+    with (
+        pytest.raises(InputError, match=r"search\.seconds = 900, all"),
+        limit.enforced(enough_s=900),
+    ):
+        time.sleep(5)
+    enough = TimeLimit(0.5)
+    with (
+        pytest.raises(InputError, match=r"search\.seconds = 1, all"),
+        enough.enforced(enough_s=0.4),
+    ):
+        time.sleep(5)
+
+
+def test_no_time_for_trials_is_planned_that_mechanics_need():
+    assert not TimeLimit(780).holds_trials(300.0)
+    assert TimeLimit(900).holds_trials(300.0)
+
+
 def test_time_spent_before_is_counted(clock):
     limit = TimeLimit(1000)
     clock.now_s += 1001
