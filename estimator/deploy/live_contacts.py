@@ -19,7 +19,9 @@ from estimator.deploy.zeroing import (
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.readings import ContactSets
+from estimator.inversion.slip import Slip
 from estimator.inversion.tracking import Tracker
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
@@ -87,14 +89,25 @@ class LiveContacts:
         InputError
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
-        now = self._told(raw_counts, left_out)
+        now, starts = self._told(raw_counts, left_out), self.level.starts
         self._zero = self.level.update(now, time_s)
         if self._zero is None:
             return None
+        if (slip := self.slip) is not None and self.level.starts > starts:
+            self._tracker.slip = slip.zeroed()
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
         drift = drift_counts(self.inversion, self.level.age_s)
-        return self._tracker.feed(np.where(live, change, np.nan), drift)
+        contacts = self._tracker.feed(np.where(live, change, np.nan), drift)
+        slip = self.slip
+        if slip is not None and slip.counts.any() and self.level.move(slip.counts):
+            self._tracker.slip = slip.carried()
+        return contacts
+
+    @property
+    def slip(self) -> Slip | None:
+        """Return the slip of the core, as far as it is known; None where it has not slipped."""
+        return self._tracker.slip
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""
@@ -149,10 +162,16 @@ class LiveContacts:
         frame = inversion.disturbances.observed(
             np.where(out, np.nan, change)[None], np.array([frames])
         )
-        contacts, *_ = inversion.read_once(inversion.search, frame, inversion.error_share())
+        search = inversion.search
+        contacts, _, believed = inversion.read_once(search, frame, inversion.error_share())
         pressed = contacts.number[0] > 0
         share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
         explained = bool(contacts.explained[0]) and not self._tracker.beside_magnet
+        if (
+            explained and pressed
+        ):  # what a slipped core shows looks like a press, and turned round too
+            beside = BesideMagnet(frame, inversion.lookalike_columns)
+            explained = not beside.explains_with_fewer(search, believed)[0]
         return StillReading(float(share), float(np.nansum(contacts.force_n[0])), explained)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from dataclasses import replace
 
 import numpy as np
@@ -19,6 +20,7 @@ from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems, empty
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
+from estimator.inversion.slip import REST_FRAMES, Slip, slip_at_rest
 
 _STEPS = 3
 """Steps from the frame before: contacts have moved little."""
@@ -53,9 +55,13 @@ class Tracker:
     the field of a magnet near by is a nuisance where that is more probable than contacts: until
     several frames in a row are explained as they are.
 
+    A core that slipped shows in frames at rest; from then on what the slip adds is taken off, and what is
+    uncertain of it is a nuisance.
+
     Attributes
     ----------
     beside_magnet : whether a magnet near by is believed
+    slip : of the core, as far as it is known; None where it has not slipped
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -69,6 +75,9 @@ class Tracker:
         self._strange, self._sound, self._chip_out = 0, 0, NONE
         self._jaws: tuple[JawFit, ContactSets] | None = None
         self.beside_magnet = False
+        self.slip: Slip | None = None
+        self._resting: deque[np.ndarray] = deque(maxlen=REST_FRAMES)
+        self._unjudged = 0
         self._widened = 1.0
         fresh = inversion.disturbances
         self._fresh_counts = float(np.median(np.hypot(fresh.noise_counts, fresh.offset_counts)))
@@ -77,7 +86,42 @@ class Tracker:
         """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
         what every channel drifted since."""
         self._widened = math.hypot(1.0, drift_counts / self._fresh_counts)
-        plain = self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
+        sets = self._contacts_in(self._without_slip(counts, drift_counts))
+        self._notice_slip(counts, drift_counts, sets)
+        return sets
+
+    def _without_slip(
+        self, counts: Float[np.ndarray, "channel"], drift_counts: float
+    ) -> Observations:
+        """Return a frame without what a slip of the core adds to it."""
+        if self.slip is None:
+            return self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
+        change = (counts - self.slip.counts)[None]
+        seen = self.inversion.disturbances.observed(change, drift_counts=drift_counts)
+        return seen.add_nuisances(self.slip.columns)
+
+    def _notice_slip(
+        self, counts: Float[np.ndarray, "channel"], drift_counts: float, sets: ContactSets
+    ) -> None:
+        """Judge the mean of frames in which no contact is read, or that none explains."""
+        if sets.number[0] and sets.explained[0]:
+            self._resting.clear()
+            return
+        self._resting.append(counts)
+        self._unjudged += 1
+        due = not sets.explained[0] or self._unjudged >= REST_FRAMES
+        if len(self._resting) < REST_FRAMES or not due:
+            return
+        self._unjudged = 0
+        mean = np.where(self.believed, np.mean(self._resting, axis=0), np.nan)
+        slip = slip_at_rest(self.inversion, mean, REST_FRAMES, drift_counts, self.slip)
+        if slip is not None:
+            self._resting.clear()
+            self.slip, self._last = slip, None
+            self.beside_magnet, self._chip_out = False, NONE
+
+    def _contacts_in(self, plain: Observations) -> ContactSets:
+        """Return the contacts of the next frame, as `feed`."""
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed
