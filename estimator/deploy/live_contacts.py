@@ -18,6 +18,7 @@ from estimator.deploy.zeroing import (
     ZeroMode,
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
+from estimator.inversion.condition import Condition
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.readings import ContactSets
@@ -68,7 +69,7 @@ class LiveContacts:
         )
         self._zero: np.ndarray | None = None
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
-        self._out = self._unzeroed
+        self._out = self._silent = self._unzeroed
 
     def feed(
         self,
@@ -97,12 +98,19 @@ class LiveContacts:
             self._tracker.slip = slip.zeroed()
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
+        self._silent = ~live
         drift = drift_counts(self.inversion, self.level.age_s)
         contacts = self._tracker.feed(np.where(live, change, np.nan), drift)
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
             self._tracker.slip = slip.carried()
         return contacts
+
+    def condition(self) -> Condition:
+        """Return the object's condition by its last frames."""
+        live = np.zeros(self.inversion.model.channels, bool)
+        live[self.inversion.live_rows] = True
+        return self._tracker.condition(live & self._silent)
 
     @property
     def slip(self) -> Slip | None:

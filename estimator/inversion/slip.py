@@ -27,6 +27,8 @@ without a slip reach it with a chance of about 1e-8: log evidence is half of χ�
 (48 of them) less the 16 that the prior of the slip costs."""
 _STEPS = 4
 """Gauss–Newton steps: signals of slips above 0.3 mm are not linear in them."""
+_TRIED = 20
+"""Frames without explanation of a data set that are tried, at most."""
 _HALF_STEP = 0.1
 """Half the step of central differences, in standard deviations of a slip: 0.01 mm."""
 
@@ -111,6 +113,17 @@ def slip_at_rest(
     shift_mm = slip_motions(model, total[None])[0, :, :3]
     size_mm = float(np.sqrt((shift_mm**2).sum(axis=1).mean()))
     return Slip(total, size_mm, before.counts + added, slopes.T @ root)
+
+
+def median_slip_mm(inversion: Inversion, unexplained: Float[np.ndarray, "frame channel"]) -> float:
+    """Return the median slip that single frames, which no contact explains, show at rest; 0 where most show
+    none."""
+    few = np.unique(np.linspace(0, len(unexplained) - 1, _TRIED).astype(int))
+    slips = (
+        [slip_at_rest(inversion, change) for change in unexplained[few]] if len(unexplained) else []
+    )
+    sizes = [0.0 if slip is None else slip.size_mm for slip in slips]
+    return float(np.median(sizes)) if sizes else 0.0
 
 
 def _log_evidence(white: Whitening, counts: Float[np.ndarray, "1 channel"]) -> float:

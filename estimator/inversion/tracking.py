@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Bool, Float
 
+from estimator.inversion.condition import Condition, object_condition
 from estimator.inversion.evidence import joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
@@ -40,6 +41,8 @@ _STRAINED = 0.02
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
+_JUDGED_FRAMES = 200
+"""Last frames that the object's condition is judged by."""
 _GONE_AFTER = 2
 """Frames in a row in which contacts alone must be more probable than near a magnet: then it is gone."""
 
@@ -78,6 +81,7 @@ class Tracker:
         self.slip: Slip | None = None
         self._resting: deque[np.ndarray] = deque(maxlen=REST_FRAMES)
         self._unjudged = 0
+        self._recent: deque[tuple[bool, bool]] = deque(maxlen=_JUDGED_FRAMES)
         self._widened = 1.0
         fresh = inversion.disturbances
         self._fresh_counts = float(np.median(np.hypot(fresh.noise_counts, fresh.offset_counts)))
@@ -88,7 +92,21 @@ class Tracker:
         self._widened = math.hypot(1.0, drift_counts / self._fresh_counts)
         sets = self._contacts_in(self._without_slip(counts, drift_counts))
         self._notice_slip(counts, drift_counts, sets)
+        self._recent.append((not sets.explained[0], self.beside_magnet))
         return sets
+
+    def condition(self, out: Bool[np.ndarray, "channel"] | None = None) -> Condition:
+        """Return the object's condition by its last frames; channels `out` gave no readings to believe."""
+        silent = ~self.believed if out is None else ~self.believed | out
+        chips = np.flatnonzero(silent.reshape(-1, 3).any(axis=1)).tolist()
+        frames = np.array(self._recent, float).reshape(-1, 2)
+        unexplained, beside_magnet = frames.mean(axis=0).tolist() if len(frames) else (0.0, 0.0)
+        return object_condition(
+            unexplained,
+            beside_magnet,
+            0.0 if self.slip is None else self.slip.size_mm,
+            [self.inversion.chip_name(chip) for chip in chips],
+        )
 
     def _without_slip(
         self, counts: Float[np.ndarray, "channel"], drift_counts: float
@@ -117,6 +135,7 @@ class Tracker:
         slip = slip_at_rest(self.inversion, mean, REST_FRAMES, drift_counts, self.slip)
         if slip is not None:
             self._resting.clear()
+            self._recent.clear()
             self.slip, self._last = slip, None
             self.beside_magnet, self._chip_out = False, NONE
 
