@@ -48,8 +48,8 @@ def object_condition(
     if len(chips_out) > 1:
         return Condition(
             "recast",
-            f"{_names(chips_out)} give no readings to believe: check their wires; if that does not help, "
-            "replace the chips",
+            f"{_names(chips_out)} give no readings to believe: take magnets away and check their wires; if "
+            "that does not help, replace the chips",
         )
     if slip_mm:
         return Condition(
