@@ -64,9 +64,11 @@ def _row(reader: Inversion, slip_mm: float, streams: int) -> Result:
                 named = number
             if read is not None and number >= slips_at + GRASP - 4 and face[number].max() >= 0:
                 good.append(read.explained[0] and right(read, face[number : number + 1])[0])
-        if named is not None and (not slip_mm or named < slips_at):
+        if named is None or live.slip is None:
+            continue
+        if not slip_mm or named < slips_at:
             alarms += 1
-        elif named is not None:
+        else:
             delays.append(named - slips_at)
             sizes.append(live.slip.size_mm - slip_mm)
     return {

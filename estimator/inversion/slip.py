@@ -69,7 +69,7 @@ def slip_at_rest(
     counts: Float[np.ndarray, "channel"],
     frames: int = 1,
     drift_counts: float = 0.0,
-    before: Slip | None = None,
+    earlier: Slip | None = None,
 ) -> Slip | None:
     """Return the slip that the mean change of some frames at rest shows; None where rest, a magnet near by
     or nothing explains it better.
@@ -78,41 +78,42 @@ def slip_at_rest(
     ----------
     counts : mean change against the zero; NaN where a channel has no reading
     drift_counts : deviation of what every channel drifted since the zero
-    before : the slip that is known already, against which the new one is sought
+    earlier : the slip that is known already, against which the new one is sought
     """
-    model, before = inversion.model, no_slip(inversion.model) if before is None else before
-    change = (counts - before.counts)[None]
-    seen = inversion.disturbances.observed(change, np.array([frames]), drift_counts)
-    seen = seen.add_nuisances(before.columns)
-    calm = whitening(seen.still, seen.shared)
+    model = inversion.model
+    earlier = no_slip(model) if earlier is None else earlier
+    change = (counts - earlier.counts)[None]
+    frame = inversion.disturbances.observed(change, np.array([frames]), drift_counts)
+    frame = frame.add_nuisances(earlier.columns)
+    calm = whitening(frame.still, frame.shared)
     *magnets, slipped = (
-        whitening(seen.still, np.hstack([seen.shared, columns]))
+        whitening(frame.still, np.hstack([frame.shared, columns]))
         for columns in inversion.lookalike_columns
     )
-    near = [_log_evidence(white, seen.counts) for white in magnets]
+    near = [_log_evidence(white, frame.counts) for white in magnets]
     others = max(
-        _log_evidence(calm, seen.counts), float(np.logaddexp.reduce(near)) - np.log(len(near))
+        _log_evidence(calm, frame.counts), float(np.logaddexp.reduce(near)) - np.log(len(near))
     )
-    if _log_evidence(slipped, seen.counts) < others + _SURE:
+    if _log_evidence(slipped, frame.counts) < others + _SURE:
         return None
     unknowns, added, slopes = np.zeros(6), np.zeros(model.channels), np.zeros((6, model.channels))
     precision = np.eye(6)
     for _ in range(_STEPS):
-        slopes = _slopes(model, before.unknowns + unknowns)
-        white_slopes, residual = calm(slopes[None])[0], calm((seen.counts - added)[None])[0, 0]
+        slopes = _slopes(model, earlier.unknowns + unknowns)
+        white_slopes, residual = calm(slopes[None])[0], calm((frame.counts - added)[None])[0, 0]
         # Most probable t of c = s(t) + noise with t ~ N(0, 1): (1 + J Jᵀ) δ = J r − t, whitened
         precision = np.eye(6) + white_slopes @ white_slopes.T
         unknowns = unknowns + np.linalg.solve(precision, white_slopes @ residual - unknowns)
-        added = _counts(model, before.unknowns + unknowns) - _counts(model, before.unknowns)
-    residual = calm((seen.counts - added)[None])[0, 0]
-    if chi2.sf(residual @ residual, int(seen.readings[0]) - 6) < UNEXPLAINED:
+        added = _counts(model, earlier.unknowns + unknowns) - _counts(model, earlier.unknowns)
+    residual = calm((frame.counts - added)[None])[0, 0]
+    if chi2.sf(residual @ residual, int(frame.readings[0]) - 6) < UNEXPLAINED:
         return None
     # covariance of the unknowns as a product of a root with itself: the columns' own unknowns are N(0, 1)
     root = np.linalg.inv(np.linalg.cholesky(precision)).T
-    total = before.unknowns + unknowns
+    total = earlier.unknowns + unknowns
     shift_mm = slip_motions(model, total[None])[0, :, :3]
     size_mm = float(np.sqrt((shift_mm**2).sum(axis=1).mean()))
-    return Slip(total, size_mm, before.counts + added, slopes.T @ root)
+    return Slip(total, size_mm, earlier.counts + added, slopes.T @ root)
 
 
 def median_slip_mm(inversion: Inversion, unexplained: Float[np.ndarray, "frame channel"]) -> float:

@@ -115,8 +115,8 @@ class Tracker:
         if self.slip is None:
             return self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
         change = (counts - self.slip.counts)[None]
-        seen = self.inversion.disturbances.observed(change, drift_counts=drift_counts)
-        return seen.add_nuisances(self.slip.columns)
+        frame = self.inversion.disturbances.observed(change, drift_counts=drift_counts)
+        return frame.add_nuisances(self.slip.columns)
 
     def _notice_slip(
         self, counts: Float[np.ndarray, "channel"], drift_counts: float, sets: ContactSets

@@ -84,11 +84,11 @@ def channel_condition(state: int) -> str:
 def whole_condition(read: Condition, states: list[int], names: list[str]) -> Condition:
     """Return the condition of the whole object: by what is read or by its channels' states, whichever asks
     for more work."""
-    asked = [channel_condition(state) for state in states]
-    poor = [name for name, condition in zip(names, asked, strict=True) if condition == "recast"]
-    drifting = [
-        name for name, condition in zip(names, asked, strict=True) if condition == "zero again"
-    ]
+    condition_of = {
+        name: channel_condition(state) for name, state in zip(names, states, strict=True)
+    }
+    poor = [name for name, condition in condition_of.items() if condition == "recast"]
+    drifting = [name for name, condition in condition_of.items() if condition == "zero again"]
     chips = list(dict.fromkeys(name.translate(_WITHOUT_AXIS) for name in poor))
     by_channels = object_condition(0.0, chips_out=chips, drifting=drifting)
     return max(read, by_channels, key=lambda condition: CONDITIONS.index(condition.name))
