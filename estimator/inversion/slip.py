@@ -85,6 +85,9 @@ def slip_at_rest(
     change = (counts - earlier.counts)[None]
     frame = inversion.disturbances.observed(change, np.array([frames]), drift_counts)
     frame = frame.add_nuisances(earlier.columns)
+    # The unknowns of a slip and of what else changes explain any few readings, which then say nothing of one.
+    if frame.readings[0] <= inversion.lookalike_columns[0].shape[1]:
+        return None
     calm = whitening(frame.still, frame.shared)
     *magnets, slipped = (
         whitening(frame.still, np.hstack([frame.shared, columns]))

@@ -68,3 +68,20 @@ def test_channels_without_readings_say_nothing_of_a_slip():
     mean = resting_mean(rng, shift(rng, 0.1))
     mean[:6] = np.nan
     assert slip_at_rest(inverted(), mean, REST_FRAMES).size_mm == pytest.approx(0.1, abs=0.02)
+
+
+def test_nine_readings_tell_nothing_of_a_slip():
+    """Six unknowns, the field's three and a temperature explain any nine."""
+    rng = np.random.default_rng(11)
+    mean = resting_mean(rng, shift(rng, 0.1))
+    mean[9:] = np.nan
+    assert slip_at_rest(inverted(), mean, REST_FRAMES) is None
+
+
+def test_presses_that_nothing_explains_are_no_slip():
+    """Every magnet moves by 40 % more or less than the model says, under one to four tips."""
+    rng = np.random.default_rng(12)
+    for number in (1, 2, 3, 4) * 8:
+        motion = motion_of(*contacts(rng, 1, number, (2.0, 12.0)))
+        motion = motion * (1 + 0.4 * rng.standard_normal((1, 25, 1)))
+        assert slip_at_rest(inverted(), resting_mean(rng, motion), REST_FRAMES) is None
