@@ -50,6 +50,7 @@ class LiveContacts:
 
     def __post_init__(self) -> None:
         self._drifting = drifted(self.inversion)
+        self._tracker = Tracker(self.inversion)
         self._warm_up()
         self.rezero()
 
@@ -62,8 +63,14 @@ class LiveContacts:
         _ = self.inversion.model.pair_counts
 
     def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
-        """Take the zero again from the frames that follow, with nothing pressed, or the level given."""
+        """Take the zero again from the frames that follow, with nothing pressed, or the level given.
+
+        A slip of the core stays known, as the calibration is not that of the slipped core; it was none where
+        another level proves that the zero was wrong.
+        """
+        slip = self.slip if level is None else None
         self._tracker = Tracker(self.inversion)
+        self._tracker.slip = None if slip is None else slip.zeroed()
         self.level = StreamZero(
             self.zero, self.zero_frames, self.read_still, self.read_drift, level
         )

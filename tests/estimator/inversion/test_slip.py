@@ -43,6 +43,8 @@ def test_a_slip_within_a_grasp_is_noticed_in_the_rest_after_it(zero):
             assert reader.slip.size_mm == pytest.approx(0.1, abs=0.015)
             good.append(found.explained[0] and right(found, face[number : number + 1])[0])
     assert np.mean(good) >= 0.97
+    reader.rezero()
+    assert reader.condition().name == "recalibrate", "a new zero is no calibration"
 
 
 def test_a_second_slip_adds_to_the_first():
