@@ -18,8 +18,11 @@ from estimator.deploy.zeroing import (
     ZeroMode,
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
+from estimator.inversion.condition import Condition
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.readings import ContactSets
+from estimator.inversion.slip import Slip
 from estimator.inversion.tracking import Tracker
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
@@ -47,6 +50,7 @@ class LiveContacts:
 
     def __post_init__(self) -> None:
         self._drifting = drifted(self.inversion)
+        self._tracker = Tracker(self.inversion)
         self._warm_up()
         self.rezero()
 
@@ -59,14 +63,20 @@ class LiveContacts:
         _ = self.inversion.model.pair_counts
 
     def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
-        """Take the zero again from the frames that follow, with nothing pressed, or the level given."""
+        """Take the zero again from the frames that follow, with nothing pressed, or the level given.
+
+        A slip of the core stays known, as the calibration is not that of the slipped core; it was none where
+        another level proves that the zero was wrong.
+        """
+        slip = self.slip if level is None else None
         self._tracker = Tracker(self.inversion)
+        self._tracker.slip = None if slip is None else slip.zeroed()
         self.level = StreamZero(
             self.zero, self.zero_frames, self.read_still, self.read_drift, level
         )
         self._zero: np.ndarray | None = None
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
-        self._out = self._unzeroed
+        self._out = self._silent = self._unzeroed
 
     def feed(
         self,
@@ -87,14 +97,32 @@ class LiveContacts:
         InputError
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
-        now = self._told(raw_counts, left_out)
+        now, starts = self._told(raw_counts, left_out), self.level.starts
         self._zero = self.level.update(now, time_s)
         if self._zero is None:
             return None
+        if (slip := self.slip) is not None and self.level.starts > starts:
+            self._tracker.slip = slip.zeroed()
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
+        self._silent = ~live
         drift = drift_counts(self.inversion, self.level.age_s)
-        return self._tracker.feed(np.where(live, change, np.nan), drift)
+        contacts = self._tracker.feed(np.where(live, change, np.nan), drift)
+        slip = self.slip
+        if slip is not None and slip.counts.any() and self.level.move(slip.counts):
+            self._tracker.slip = slip.carried()
+        return contacts
+
+    def condition(self) -> Condition:
+        """Return the object's condition by its last frames."""
+        live = np.zeros(self.inversion.model.channels, bool)
+        live[self.inversion.live_rows] = True
+        return self._tracker.condition(live & self._silent)
+
+    @property
+    def slip(self) -> Slip | None:
+        """Return the slip of the core, as far as it is known; None where it has not slipped."""
+        return self._tracker.slip
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""
@@ -149,10 +177,16 @@ class LiveContacts:
         frame = inversion.disturbances.observed(
             np.where(out, np.nan, change)[None], np.array([frames])
         )
-        contacts, *_ = inversion.read_once(inversion.search, frame, inversion.error_share())
+        search = inversion.search
+        contacts, _, believed = inversion.read_once(search, frame, inversion.error_share())
         pressed = contacts.number[0] > 0
         share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
         explained = bool(contacts.explained[0]) and not self._tracker.beside_magnet
+        if (
+            explained and pressed
+        ):  # what a slipped core shows looks like a press, and turned round too
+            beside = BesideMagnet(frame, inversion.lookalike_columns)
+            explained = not beside.explains_with_fewer(search, believed)[0]
         return StillReading(float(share), float(np.nansum(contacts.force_n[0])), explained)
 
 

@@ -178,19 +178,19 @@ class RestZero:
     def consider(self, level: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
         """Move the zero to, or towards, a still level that is rest."""
         if self.level is None:
-            self._start(level)
+            self.start(level)
             return
         change = level - self.level
         still = self.read(change, len(self.window))
         if not still.explained and self._is_from_press(change, still.force_n):
-            self._start(level)
+            self.start(level)
             self.largest_n, self.from_press = 0.0, True
         elif still.explained is False:
             return  # a magnet near by, or a wrong chip: neither rest nor a press
         elif self.largest_n >= PRESS_FORCE_N and still.force_n <= RETURN_SHARE * self.largest_n:
             # A window that a press begins in reads as less than the press: it is no return.
             if not self.window or self.loaded_s < self.window[0][0]:
-                self._start(level)
+                self.start(level)
         elif still.contact < 0.5 or still.force_n < LEAST_FORCE_N:
             self._follow(change, elapsed_s)
 
@@ -199,7 +199,7 @@ class RestZero:
         turned = self.read(-change, len(self.window))
         return turned.explained is not False and turned.force_n > max(PRESS_FORCE_N, 2 * force_n)
 
-    def _start(self, level: Float[np.ndarray, "channel"]) -> None:
+    def start(self, level: Float[np.ndarray, "channel"]) -> None:
         """Take a level for the zero, with nothing followed yet."""
         self.level, self._followed, self.rested_s = level, np.zeros(len(level)), self.now_s
         self.starts, self.from_press = self.starts + 1, False
@@ -256,6 +256,15 @@ class StreamZero:
             return None
         self.level = level_of(np.array(self._resting))
         return self.level
+
+    def move(self, change: Float[np.ndarray, "channel"]) -> bool:
+        """Move a zero that follows rest by what rest has changed at once; False where it does not follow."""
+        if self._rest is None or self._rest.level is None:
+            return False
+        self._rest.start(self._rest.level + change)
+        self._rest.largest_n = 0.0  # forces read from what changed were of no press
+        self.level = self._rest.level
+        return True
 
     @property
     def starts(self) -> int:

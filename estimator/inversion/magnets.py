@@ -40,13 +40,21 @@ def slip_columns(model: ContactModel) -> Float[np.ndarray, "channel 6"]:
     Shifts along x, y and z of the object, then turns about them: all that the shell holds moves the
     other way.
     """
-    centre_mm = shell_body_layout(model.spec).centre_mm
-    moved = np.zeros((6, *model.rest.shape))
-    for axis, unit in enumerate(np.eye(3)):
-        moved[axis, :, axis] = -_SLIP_MM
-        moved[3 + axis, :, :3] = -_SLIP_RAD * np.cross(unit, centre_mm)
-        moved[3 + axis, :, 3 + axis] = -_SLIP_RAD
+    moved = slip_motions(model, np.eye(6))
     return (model.counts_of_motions(moved) - model.counts_of_motions(-moved)).T / 2
+
+
+def slip_motions(
+    model: ContactModel, unknowns: Float[np.ndarray, "slip 6"]
+) -> Float[np.ndarray, "slip body 6"]:
+    """Return how all that the shell holds moves against the core (mm, rad) in slips of the core, given in
+    standard deviations as in `slip_columns`."""
+    shift_mm = -_SLIP_MM * unknowns[:, None, :3]
+    turn_rad = -_SLIP_RAD * unknowns[:, None, 3:]
+    moved = np.zeros((len(unknowns), *model.rest.shape))
+    moved[..., :3] = shift_mm + np.cross(turn_rad, shell_body_layout(model.spec).centre_mm)
+    moved[..., 3:] = turn_rad
+    return moved
 
 
 @dataclass(frozen=True)

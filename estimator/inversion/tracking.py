@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Bool, Float
 
+from estimator.inversion.condition import Condition, object_condition
 from estimator.inversion.evidence import joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
@@ -19,6 +21,7 @@ from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems, empty
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
+from estimator.inversion.slip import REST_FRAMES, Slip, slip_at_rest
 
 _STEPS = 3
 """Steps from the frame before: contacts have moved little."""
@@ -38,6 +41,8 @@ _STRAINED = 0.02
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
+_JUDGED_FRAMES = 200
+"""Last frames that the object's condition is judged by."""
 _GONE_AFTER = 2
 """Frames in a row in which contacts alone must be more probable than near a magnet: then it is gone."""
 
@@ -53,9 +58,13 @@ class Tracker:
     the field of a magnet near by is a nuisance where that is more probable than contacts: until
     several frames in a row are explained as they are.
 
+    A core that slipped shows in frames at rest; from then on what the slip adds is taken off, and what is
+    uncertain of it is a nuisance.
+
     Attributes
     ----------
     beside_magnet : whether a magnet near by is believed
+    slip : of the core, as far as it is known; None where it has not slipped
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -69,6 +78,10 @@ class Tracker:
         self._strange, self._sound, self._chip_out = 0, 0, NONE
         self._jaws: tuple[JawFit, ContactSets] | None = None
         self.beside_magnet = False
+        self.slip: Slip | None = None
+        self._resting: deque[np.ndarray] = deque(maxlen=REST_FRAMES)
+        self._unjudged = 0
+        self._recent: deque[tuple[bool, bool]] = deque(maxlen=_JUDGED_FRAMES)
         self._widened = 1.0
         fresh = inversion.disturbances
         self._fresh_counts = float(np.median(np.hypot(fresh.noise_counts, fresh.offset_counts)))
@@ -77,7 +90,57 @@ class Tracker:
         """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
         what every channel drifted since."""
         self._widened = math.hypot(1.0, drift_counts / self._fresh_counts)
-        plain = self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
+        sets = self._contacts_in(self._without_slip(counts, drift_counts))
+        self._notice_slip(counts, drift_counts, sets)
+        self._recent.append((not sets.explained[0], self.beside_magnet))
+        return sets
+
+    def condition(self, out: Bool[np.ndarray, "channel"] | None = None) -> Condition:
+        """Return the object's condition by its last frames; channels `out` gave no readings to believe."""
+        silent = ~self.believed if out is None else ~self.believed | out
+        chips = np.flatnonzero(silent.reshape(-1, 3).any(axis=1)).tolist()
+        frames = np.array(self._recent, float).reshape(-1, 2)
+        unexplained, beside_magnet = frames.mean(axis=0).tolist() if len(frames) else (0.0, 0.0)
+        return object_condition(
+            unexplained,
+            beside_magnet,
+            0.0 if self.slip is None else self.slip.size_mm,
+            [self.inversion.chip_name(chip) for chip in chips],
+        )
+
+    def _without_slip(
+        self, counts: Float[np.ndarray, "channel"], drift_counts: float
+    ) -> Observations:
+        """Return a frame without what a slip of the core adds to it."""
+        if self.slip is None:
+            return self.inversion.disturbances.observed(counts[None], drift_counts=drift_counts)
+        change = (counts - self.slip.counts)[None]
+        frame = self.inversion.disturbances.observed(change, drift_counts=drift_counts)
+        return frame.add_nuisances(self.slip.columns)
+
+    def _notice_slip(
+        self, counts: Float[np.ndarray, "channel"], drift_counts: float, sets: ContactSets
+    ) -> None:
+        """Judge the mean of frames in which no contact is read, or that none explains."""
+        if sets.number[0] and sets.explained[0]:
+            self._resting.clear()
+            return
+        self._resting.append(counts)
+        self._unjudged += 1
+        due = not sets.explained[0] or self._unjudged >= REST_FRAMES
+        if len(self._resting) < REST_FRAMES or not due:
+            return
+        self._unjudged = 0
+        mean = np.where(self.believed, np.mean(self._resting, axis=0), np.nan)
+        slip = slip_at_rest(self.inversion, mean, REST_FRAMES, drift_counts, self.slip)
+        if slip is not None:
+            self._resting.clear()
+            self._recent.clear()
+            self.slip, self._last = slip, None
+            self.beside_magnet, self._chip_out = False, NONE
+
+    def _contacts_in(self, plain: Observations) -> ContactSets:
+        """Return the contacts of the next frame, as `feed`."""
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed

@@ -14,9 +14,11 @@ from design.errors import InputError
 from design.tables import write_table
 from estimator.deploy.live_contacts import LiveContacts
 from estimator.frames.dataset import FrameSet
+from estimator.inversion.condition import Condition, object_condition
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.readings import ContactSets
+from estimator.inversion.slip import median_slip_mm
 from estimator.inversion.storage import load_inversion
 from estimator.signals.nuisances import AMBIENT_FIELD
 from instobj.commands.readings import (
@@ -67,11 +69,16 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
     judged: list[dict[str, Any]] = []
     texts: list[str] = []
     if is_data_set(path):
-        number, time_s, best, second, judged = _read_data_set(inversion, path, zeroing)
-        unread = 0
+        number, time_s, best, second, judged, slip_mm = _read_data_set(inversion, path, zeroing)
+        unread, chips = 0, sorted(set(best.chip_out.tolist()) - {NONE})
+        condition = object_condition(
+            float(np.mean(~best.explained)),
+            slip_mm=slip_mm,
+            chips_out=[inversion.chip_name(chip) for chip in chips],
+        )
     else:
         stream = recorded_stream(path)
-        number, time_s, best, unread = _read_recording(inversion, stream, zeroing)
+        number, time_s, best, unread, condition = _read_recording(inversion, stream, zeroing)
         second, texts = None, stream.texts
     rows = _rows(inversion, number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
@@ -90,6 +97,7 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         "frames with jaws over whole faces": int(best.jaws.sum()),
         "frames that no contact explains": int((~best.explained).sum()),
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
+        "condition of the object": str(condition),
     }
     texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
     if best.jaws.any():
@@ -118,7 +126,10 @@ def contacts_on_port(
     inversion = load_inversion(model_path)
     reader = LiveContacts(inversion, *zeroing.raw_settings)
     frames = islice(live_frames(reader, inversion.channels, port, baud), count)
-    return (json.dumps(contacts_of(inversion, frame)) for frame in frames)
+    return (
+        json.dumps(contacts_of(inversion, frame) | {"condition": str(reader.condition())})
+        for frame in frames
+    )
 
 
 def contacts_of(inversion: Inversion, frame: LiveFrame) -> dict[str, Any]:
@@ -136,7 +147,7 @@ def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> 
 
 def _read_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
-) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
+) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]], float]:
     from estimator.frames.windows import all_counts
     from estimator.metrics.contacts import rows_beside_bound
 
@@ -151,7 +162,8 @@ def _read_data_set(
     judged, valid = [], np.flatnonzero(frames.valid)
     if np.any(frames.contact_face[valid] > 0):
         judged = rows_beside_bound(inversion, frames.select(valid), best.select(valid))
-    return np.arange(len(frames)), frames.time_s, best, second, judged
+    slip_mm = median_slip_mm(inversion, all_counts(frames)[~best.explained])
+    return np.arange(len(frames)), frames.time_s, best, second, judged, slip_mm
 
 
 def require_read_sensors(inversion: Inversion, frames: FrameSet, path: Path) -> None:
@@ -168,7 +180,7 @@ def require_read_sensors(inversion: Inversion, frames: FrameSet, path: Path) -> 
 
 def _read_recording(
     inversion: Inversion, stream: Stream, zeroing: Zeroing
-) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
+) -> tuple[np.ndarray, np.ndarray, ContactSets, int, Condition]:
     reader, progress = LiveContacts(inversion, *zeroing.raw_settings), ProgressLine()
 
     def step(number: int) -> None:
@@ -180,7 +192,8 @@ def _read_recording(
     read = [frame for frame in frames if frame[2] is not None]
     numbers, time_s, readings = zip(*read, strict=True)
     unread = len(frames) - len(read)
-    return np.array(numbers), np.array(time_s), ContactSets.joined(readings), unread
+    best = ContactSets.joined(readings)
+    return np.array(numbers), np.array(time_s), best, unread, reader.condition()
 
 
 def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str, float | str]:

@@ -15,6 +15,7 @@ from design.tables import write_table
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gaps
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.same_object import require_same_object
+from estimator.inversion.condition import object_condition
 from estimator.networks.prediction import NOVEL_FROM, Prediction
 from instobj.commands.next_step import next_step
 from instobj.commands.readings import (
@@ -107,12 +108,13 @@ def predict_file(
         "frames that lack a reading": unread,
         "frames before a zero": first_frame,
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
-        "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
+        "novel frames": (novel := sum(row["novelty"] > NOVEL_FROM for row in rows)),
+        "condition of the object": str(object_condition(novel / max(len(rows), 1))),
         "largest force N": max(forces, default=0.0),
         "force interval should hold": model.interval_cover,
         **_measured_cover(labelled, model.face, rows),
     }
-    texts = [*texts, *unexplained_text(path, summary["novel frames"], len(rows))]
+    texts = [*texts, *unexplained_text(path, novel, len(rows))]
     if labelled is not None and is_trained_on(
         labelled, training_frames(model_path, (model.face,)), (model.face,)
     ):

@@ -17,6 +17,7 @@ from estimator.deploy.zeroing import ZERO_FRAMES, Zeroed, ZeroMode, read_through
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
+from estimator.inversion.condition import DISTRUST_FROM
 from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import faces_of
 from instobj.store.publish import OWN_FOLDERS, require_writable, run_folder, run_name
@@ -42,8 +43,6 @@ SILENT_FRAMES = 10
 """A channel without a reading for longer is silent, as on the live page."""
 SHORT_FRAMES = 20
 """Frames that were read below which a file says nothing of its object."""
-DISTRUST_FROM = 0.2
-"""Share of frames without explanation from which a warning is due."""
 _TRAINED_SHARE = 0.5
 """Share of a recording's frames that were trained on from which it counts as the training's own."""
 _REPEATED = 0.2

@@ -16,6 +16,7 @@ from estimator.deploy.live_contacts import LiveContacts
 from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
+from estimator.inversion.condition import FINE, Condition
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 LeftOut = Bool[np.ndarray, "face sensor 3"]
@@ -26,12 +27,13 @@ _PRESENT = 0.5
 
 @dataclass(frozen=True)
 class Found:
-    """Contacts in a frame, in `protocol.CONTACT`'s columns, whether they explain it, and the name of a
-    chip that they were read without."""
+    """Contacts in a frame, in `protocol.CONTACT`'s columns, whether they explain it, the name of a chip that
+    they were read without, and the object's condition by its last frames."""
 
     contacts: Float[np.ndarray, "contact 15"]
     explained: bool
     chip_out: str = ""
+    condition: Condition = FINE
 
 
 class Estimator(Protocol):
@@ -90,7 +92,8 @@ class InvertedContacts:
             for slot in np.flatnonzero(reading.face[0]).tolist()
         ]
         chip = self._reader.inversion.chip_name(int(reading.chip_out[0]))
-        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(reading.explained[0]), chip)
+        shown = np.reshape(rows, (-1, CONTACT_WIDTH))
+        return Found(shown, bool(reading.explained[0]), chip, self._reader.condition())
 
     def pass_by(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut

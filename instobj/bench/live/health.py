@@ -8,7 +8,9 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.spec.object import ObjectSpec
+from estimator.inversion.condition import CONDITIONS, Condition, object_condition
 
+_WITHOUT_AXIS = str.maketrans("", "", "XYZ")
 STATES = ("good", "absent", "silent", "saturated", "dead", "noisy", "drifting")
 GOOD, ABSENT, SILENT, SATURATED, DEAD, NOISY, DRIFTING = range(len(STATES))
 WINDOW = 400
@@ -71,6 +73,25 @@ def channel_health(
     state[np.isnan(raw[-_LATEST:]).all(axis=0)] = SILENT
     state[~live] = ABSENT
     return state.tolist()
+
+
+def channel_condition(state: int) -> str:
+    """Return what a channel's state asks for, of `CONDITIONS`: chips without sound readings are replaced,
+    where their wires are whole. A channel that the board does not name asks for nothing."""
+    return {GOOD: "fine", ABSENT: "fine", DRIFTING: "zero again"}.get(state, "recast")
+
+
+def whole_condition(read: Condition, states: list[int], names: list[str]) -> Condition:
+    """Return the condition of the whole object: by what is read or by its channels' states, whichever asks
+    for more work."""
+    condition_of = {
+        name: channel_condition(state) for name, state in zip(names, states, strict=True)
+    }
+    poor = [name for name, condition in condition_of.items() if condition == "recast"]
+    drifting = [name for name, condition in condition_of.items() if condition == "zero again"]
+    chips = list(dict.fromkeys(name.translate(_WITHOUT_AXIS) for name in poor))
+    by_channels = object_condition(0.0, chips_out=chips, drifting=drifting)
+    return max(read, by_channels, key=lambda condition: CONDITIONS.index(condition.name))
 
 
 def _noise(raw: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "channel"]:

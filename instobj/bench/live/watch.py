@@ -18,11 +18,17 @@ from jaxtyping import Bool, Float
 from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.inversion.condition import Condition
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
 from estimator.recordings.table import channel_name
 from instobj.bench.live.contacts import Estimator, Found, placed_labels
-from instobj.bench.live.health import WINDOW, channel_health, health_limits
+from instobj.bench.live.health import (
+    WINDOW,
+    channel_health,
+    health_limits,
+    whole_condition,
+)
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 _KEPT = 4000
@@ -175,20 +181,25 @@ class Watch:
         raw = np.stack([row.raw for row in rows]) if rows else np.zeros((0, len(self.names)))
         drift = self._resting_drift(rows)
         health = channel_health(raw, self.live, drift, self._limits) if rows else []
+        condition = whole_condition(self.reading.read.condition, health, self.names[: len(health)])
         return self.news | {
             "health": health,
+            "condition": str(condition),
             "zeroed": self._zero is not None,
             "explained": self.reading.read.explained,
-            "trouble": self._trouble or self._doubts(),
+            "trouble": self._trouble or self._doubts(condition),
             "read": self._read_frames,
             "now_s": time.time(),
         }
 
-    def _doubts(self) -> str:
-        """Return which channels and chips are not believed, for people; empty if all are."""
+    def _doubts(self, condition: Condition) -> str:
+        """Return what is to be done, and which channels and chips are not believed, for people; empty if
+        nothing is."""
         chip = self.reading.read.chip_out
         lies = f"{chip}: its readings fit no contact, left out" if chip else ""
-        return "; ".join(filter(None, (self._sound.text, lies)))
+        # a channel's state stands in the table of channels
+        asks = "" if condition.name == "fine" else str(condition)
+        return "; ".join(filter(None, (asks, self._sound.text, lies)))
 
     def _start_zero(self) -> None:
         self._gathered: list[np.ndarray] = []

@@ -9,8 +9,8 @@ import numpy as np
 from estimator.grasps.measures import Conditions, MeasuredGrasp
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
 from estimator.grasps.verdict import Judged, Verdict, force_half_width, verdict_of
+from estimator.inversion.condition import DISTRUST_FROM
 from instobj.commands.assess.groups import Group, cell_rows, measure_of, missed_share, with_ends
-from instobj.commands.readings import DISTRUST_FROM
 from instobj.report.cells import shown
 
 _FEW = 6

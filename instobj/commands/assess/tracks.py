@@ -19,6 +19,7 @@ from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.face_data import HISTORY
 from estimator.frames.same_object import same_grid
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
+from estimator.inversion.condition import Condition
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.recordings.attitude import RecordedMotion, read_motion
@@ -206,7 +207,9 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     trained_on = is_trained_on(frames, estimators.training, estimators.spec.body.sensed)
     motion = None if is_data_set(path) else read_motion(path)
     if estimators.inversion is not None:
-        track = _inverted(path, frames, estimators.inversion)
+        track, condition = _inverted(path, frames, estimators.inversion)
+        if condition.why:
+            texts.append(f"{path.name}, condition of the object: {condition}")
         unexplained = unexplained_share([track])
         if unexplained <= MOST_UNEXPLAINED or not estimators.networks:
             return ReadRecording(path, track, cells, "inversion", texts, faults, trained_on, motion)
@@ -328,7 +331,8 @@ def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:
     return read_still
 
 
-def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrack:
+def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> tuple[ContactTrack, Condition]:
+    """Contacts of every frame, and the object's condition at the end."""
     from estimator.inversion.tracking import Tracker
 
     require_read_sensors(inversion, frames, path)
@@ -341,7 +345,8 @@ def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrac
             if number % _STEP == 0:
                 progress.step(f"frame {number} of {len(frames)}")
     force_error = inversion.disturbances.force_error
-    return track_of_sets(frames.time_s, ContactSets.joined(sets), force_error)
+    track = track_of_sets(frames.time_s, ContactSets.joined(sets), force_error)
+    return track, tracker.condition()
 
 
 def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:

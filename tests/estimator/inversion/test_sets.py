@@ -312,6 +312,9 @@ class Watched(Tracker):
     def _is_magnet(self, plain):
         return False
 
+    def _notice_slip(self, counts, drift_counts, sets):
+        """No slip."""
+
     def has_changed(self, seen, same):
         self.looked.append(self.window)
         return problems([0], [TWO if next(self.numbers) else ONE], [0.0]), np.ones(1)

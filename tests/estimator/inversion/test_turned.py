@@ -100,6 +100,24 @@ def test_the_change_of_the_field_is_told_with_its_deviation(number, pressed):
     assert still_reader().read(np.zeros((1, 45)))[0].since_zero.shape == (1, 0)
 
 
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_direction_of_the_field_follows_to_its_interval(number, pressed):
+    """From a field that is known at the zero: √χ²(2 degrees of freedom, 90 %) = 2.15 deviations."""
+    face, _, motion = pressed[number]
+    before, now = earth_fields_t(np.random.default_rng(12), FRAMES)
+    counts = zeroed_counts(SPEC, motion, np.random.default_rng(12))
+    found, _ = inverted().read(counts)
+    read_ut = 1e6 * before + found.since_zero[:, :3]
+    cosine = (read_ut * now).sum(axis=1)
+    cosine /= np.linalg.norm(read_ut, axis=1) * np.linalg.norm(now, axis=1)
+    fine = right(found, face)
+    off_rad = np.arccos(np.clip(cosine, -1, 1))[fine]
+    interval_rad = 2.15 * found.since_zero_sigma[fine, :3].max(axis=1) / 50.0
+    # nine tenths of 60 scatter by 0.04
+    assert 0.8 <= np.mean(off_rad <= interval_rad) <= 1.0
+    assert np.median(np.degrees(off_rad)) < 15.0
+
+
 def test_both_orientations_are_anywhere():
     before, now = earth_fields_t(np.random.default_rng(8), 4000)
     assert_allclose(np.linalg.norm(before, axis=1), 50e-6)

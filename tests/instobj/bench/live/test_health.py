@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
+from estimator.inversion.condition import FINE, object_condition
 from instobj.bench.live.health import (
     ABSENT,
     DEAD,
@@ -13,8 +14,10 @@ from instobj.bench.live.health import (
     SATURATED,
     SILENT,
     HealthLimits,
+    channel_condition,
     channel_health,
     health_limits,
+    whole_condition,
 )
 
 LIMITS = HealthLimits(np.array([22.0, 22.0, 11.0] * 3), 32_000.0, 67.0)
@@ -84,3 +87,21 @@ def test_limits_are_those_of_the_chips():
     assert limits.noise_counts.tolist() == [22.0, 22.0, 11.0] * 15
     assert limits.full_scale_counts == 40.0 * 820.0
     assert limits.drift_counts == pytest.approx((30**2 + 60**2) ** 0.5)
+
+
+def test_the_whole_asks_for_what_most_work_is():
+    """One dead chip is left out, two are replaced; what is read counts where it asks for more."""
+    names = ["F1-X1", "F1-Y1", "F1-X2"]
+    slipped = object_condition(0.0, slip_mm=0.1)
+    assert whole_condition(FINE, [GOOD, ABSENT, GOOD], names) == FINE
+    assert whole_condition(FINE, [DEAD, DEAD, GOOD], names).name == "fine"
+    assert whole_condition(FINE, [GOOD, DRIFTING, GOOD], names).name == "zero again"
+    assert whole_condition(slipped, [GOOD, DRIFTING, GOOD], names) == slipped
+    two = whole_condition(slipped, [GOOD, SATURATED, DEAD], names)
+    assert two.name == "recast"
+    assert "F1-1 and F1-2" in two.why
+    assert [channel_condition(state) for state in (GOOD, DRIFTING, DEAD)] == [
+        "fine",
+        "zero again",
+        "recast",
+    ]

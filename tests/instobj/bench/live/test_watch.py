@@ -7,6 +7,7 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.inversion.condition import object_condition
 from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.bench.live.health import DRIFTING, GOOD
 from instobj.bench.live.watch import Watch, channel_names
@@ -231,3 +232,16 @@ def test_a_chip_that_contacts_are_read_without_is_told():
     feed(watch, range(6))
     watch.read_next()
     assert watch.state()["trouble"] == "F3-2: its readings fit no contact, left out"
+
+
+def test_a_slipped_core_is_named_with_what_to_do():
+    slipped = object_condition(0.0, slip_mm=0.07)
+    told = Told(False)
+    told.feed = lambda *_: Found(np.zeros((0, 15)), True, condition=slipped)
+    watch = watching(told)
+    assert watch.state()["condition"] == "fine"
+    feed(watch, range(6))
+    watch.read_next()
+    state = watch.state()
+    assert state["condition"] == state["trouble"] == str(slipped)
+    assert state["trouble"].startswith("recalibrate: the core slipped by about 0.07 mm")
