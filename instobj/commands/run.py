@@ -223,7 +223,8 @@ def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[st
             "next": next_step("build unscored", *specs, out=out, overrides=overrides)
         }
     program = next_step("build", specs[0], out=out, overrides=overrides)
-    return document | {"next": f"{program} --board {plan.board.name}"}
+    # the board that the parts list is of
+    return document | {"next": program.replace(" mega2560 ", f" {plan.board.name} ", 1)}
 
 
 def simulate_recordings(
