@@ -83,6 +83,10 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
         "magnets_in_shell": spec.arrangement == "sensors-in-core",
         "tiltable": all(face.flat for face in faces) and spec.arrangement == "sensors-in-core",
         "forces_n": list(explorer.forces_n),
+        "limits": {
+            "position": spec.limits.position_bound_mm,
+            "least": spec.limits.detectable_force_n,
+        },
         "chips": _ranges_by_chip(spec),
         "grades": list(GRADES),
         "as_written": ", ".join(dict.fromkeys(spec.magnets.kinds)),

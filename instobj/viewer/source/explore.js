@@ -202,10 +202,11 @@ export async function startExplore(root, model) {
     const figure = find("figure").value;
     const [now, then] = [answer.summary[figure], pinned?.answer.summary[figure]];
     const unit = TITLES[figure][1];
+    const limit = content.limits[figure]; // of a go; the force has none
     const rows = [
       [`half of the places are below, ${unit}`, now.median, then?.median],
       [`95 of 100 places are below, ${unit}`, now.percentile_95, then?.percentile_95],
-      [`worst place, ${unit}`, now.worst, then?.worst],
+      [`worst place${limit ? ` (for a go ${limit} or less)` : ""}, ${unit}`, now.worst, then?.worst],
       ["chips' range in use, %", used ? 100 * used : "…", pinned?.used ? 100 * pinned.used : ""],
       ["magnets; chips", `${answer.magnets}; ${answer.sensors}`, pinned ? `${pinned.answer.magnets}; ${pinned.answer.sensors}` : ""],
       ["price of both, €; work by hand, min", answer.price_and_minutes.map(Math.round).join("; "), pinned?.answer.price_and_minutes.map(Math.round).join("; ")],

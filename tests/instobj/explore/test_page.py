@@ -115,6 +115,9 @@ def test_a_magnet_follows_the_mouse_and_the_numbers_are_pythons(page, served):
         numbers(page), (summary.median, summary.percentile_95, summary.worst), strict=True
     ):
         assert float(text) == pytest.approx(value, rel=5.1e-3)
+    worst = page.ask("document.querySelectorAll('[data-name=numbers] tr')[2].cells[0].textContent")
+    limit = made_explorer().spec.limits.position_bound_mm
+    assert worst == f"worst place (for a go {limit:g} or less), mm"
     assert all(one.startswith(served[0]) for one in page.requests())
     assert page.problems() == []
 
