@@ -57,8 +57,8 @@ def require_same_sensors(
 ) -> None:
     """Refuse readings of sensors that the estimator does not know, on the faces that it reads.
 
-    A single channel that was dead in training may be alive in the readings; a whole sensor more is
-    another object.
+    A channel or a sensor that was left out in training may be alive in the readings; more sensors than
+    the estimator knows on any face are of another object.
 
     Raises
     ------
@@ -70,7 +70,8 @@ def require_same_sensors(
     numbers = faces.tolist()
     live_pairs = np.argwhere(np.isfinite(counts).any(axis=(0, 3)))
     live = {(numbers[row], int(sensor)) for row, sensor in live_pairs}
-    unknown = {(face, sensor) for face, sensor in live - known_sensors if face in read}
+    count = 1 + max(sensor for _, sensor in known_sensors)
+    unknown = {(face, sensor) for face, sensor in live if face in read and sensor >= count}
     if unknown:
         raise InputError(
             f"the model reads {len(channels)} channels, of the sensors {_sensor_names(known_sensors)}; "

@@ -1,7 +1,7 @@
 """Layouts scored and improved before there is a mesh: the lowest fidelity level on the presses of a layer.
 
 `estimator.layouts.presses.layer` presses; fields, noise, bounds and limits are those of a search. Whole
-chains of ten bodies had 0.6 to 2.1 times the median bound and 0.3 to 0.7 times the 95th percentile
+chains of eleven bodies had 0.6 to 2.4 times the median bound and 0.3 to 1.9 times the 95th percentile
 (docs/measured/bodies.md). On a coarse mesh of a box the lowest level with mechanics ranked 64 layouts nearly
 alike (Spearman 0.82 for the median, 0.52 for the 95th percentile).
 """

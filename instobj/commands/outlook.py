@@ -56,8 +56,8 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     docs/measured/bodies.md."""
     felt = f"about {percent_text(score.felt)} feel" if score.felt < 1 else "all feel"
     return (
-        f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of two) and "
-        f"{score.percentile_95_mm:.2g} mm (95th percentile, a third of that to all of it); "
+        f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of 2.5) and "
+        f"{score.percentile_95_mm:.2g} mm (95th percentile, a third of that to twice that); "
         f"about {percent_text(score.within)} of the contact locations within "
         f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; {felt} a touch of "
         f"limits.detectable_force_n = {spec.limits.detectable_force_n:g} N"

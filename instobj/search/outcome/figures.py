@@ -13,12 +13,15 @@ _BEST, _START = "#1f77d0", "#77736b"
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
+    "percentile_95_position_bound_mm": "95th percentile of locations, position bound (mm)",
     "median_position_bound_mm": "median location, position bound (mm)",
     "position_over_limit": "position bound over its limit, mean of what is beyond",
     "worst_force_bound_n": "worst location, force bound (N)",
     "median_false_force_n": "false force by the next face (N), median",
     "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",
     "sensitivity_ratio": "δ, 5th over 50th percentile",
+    "saturation_margin": "share of the sensors' range left free, by the design",
+    "objects_margin": "the same of 95 % of the virtual objects",
 }
 
 

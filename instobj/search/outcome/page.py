@@ -87,7 +87,7 @@ def write_search_page(
 def _highest(promotion: Promotion) -> list[list[str]]:
     return [
         [
-            _label(name),
+            LABELS[name],
             f"{start_score:.4g}",
             f"{best_score:.4g}",
             _change(name, start_score, best_score),
@@ -165,10 +165,6 @@ def _change(name: str, old_value: float, new_value: float) -> str:
     if name in MARGINS:
         return f"{new_value - old_value:+.3f}"
     return f"× {new_value / old_value:.2f}"
-
-
-def _label(name: str) -> str:
-    return LABELS.get(name, "share of the sensors' range left free")
 
 
 def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:

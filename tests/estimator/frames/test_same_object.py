@@ -27,3 +27,10 @@ def test_a_sensor_that_the_model_does_not_read_is_of_another_object():
         match=r"4 channels, of the sensors F2-S1, F2-S2; a\.nc also has readings of F2-S3,",
     ):
         require_same_sensors(CHANNELS, readings((0, 2, 1)), faces, "a.nc")
+
+
+def test_a_sensor_that_was_left_out_in_training_may_be_alive():
+    """Face 4 has three sensors, so face 2 of that object may have a third one too."""
+    of_two_faces = (*CHANNELS, (4, 2, 0))
+    faces = np.array([2, 4])
+    require_same_sensors(of_two_faces, readings((0, 2, 1), (1, 0, 0)), faces, "the recording")

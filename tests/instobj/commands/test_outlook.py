@@ -123,7 +123,7 @@ def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
 
 def test_bounds_to_expect_are_said_with_how_sure_they_are_and_the_share_within_the_limit(big):
     text = expected_text(spec_of(big[1]), FirstScore(0.512, 1.62, 0.9996))
-    for said in ("0.51 mm (median", "1.6 mm (95th", "factor of two", "99 % of the contact"):
+    for said in ("0.51 mm (median", "1.6 mm (95th", "factor of 2.5", "99 % of the contact"):
         assert said in text
 
 

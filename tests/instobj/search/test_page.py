@@ -17,6 +17,7 @@ from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.figures.maps import overview
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
 from instobj.search.outcome import page
+from instobj.search.outcome.figures import LABELS
 from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.verdict import Promoted, Promotion
@@ -146,3 +147,8 @@ def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch
     assert "default-src &#39;none&#39;" in text, (
         "the browser refuses whatever else might be asked for"
     )
+
+
+def test_every_score_has_a_label_of_its_own():
+    assert set(LABELS) == set(SCORE_NAMES)
+    assert len(set(LABELS.values())) == len(LABELS)
