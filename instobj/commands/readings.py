@@ -15,7 +15,7 @@ from design.files import require_regular_file
 from design.netcdf import holds
 from estimator.deploy.zeroing import ZERO_FRAMES, Zeroed, ZeroMode, read_through
 from estimator.frames.dataset import FrameSet, load_frames
-from estimator.frames.face_data import HISTORY, Channel
+from estimator.frames.face_data import HISTORY, Channel, channel_label
 from estimator.frames.same_object import require_same_sensors
 from estimator.inversion.condition import DISTRUST_FROM
 from estimator.recordings.formats.robot import is_robot_file
@@ -139,8 +139,14 @@ def recorded_frames(
     path, raw = stream.path, stream.raw
     require_same_sensors(channels, raw, faces_of(raw), str(path))
     time_s = stream.time_s if len(stream.time_s) else np.full(len(raw), np.nan)
-    partly = reader.leaves_out
-    lacking = lacks_readings(raw if partly else np.where(stream.left_out, np.nan, raw), channels)
+    partly, left_out = reader.leaves_out, stream.left_out
+    if partly and (absent := _absent(raw, channels)):
+        face, sensor, axis = np.array(absent).T
+        raw, left_out = raw.copy(), left_out.copy()
+        raw[:, face - 1, sensor, axis], left_out[:, face - 1, sensor, axis] = 0.0, True
+        names = ", ".join(channel_label(channel) for channel in absent)
+        stream.texts.append(f"{path.name}: no reading of {names} in the whole file, left out")
+    lacking = lacks_readings(raw if partly else np.where(left_out, np.nan, raw), channels)
     silent = lacking.all()
 
     def read(number: int) -> tuple[bool, Any]:
@@ -148,7 +154,7 @@ def recorded_frames(
         if lacking[number] and not silent:
             reader.miss()
             return True, None
-        contacts = reader.feed(raw[number], float(time_s[number]), stream.left_out[number])
+        contacts = reader.feed(raw[number], float(time_s[number]), left_out[number])
         return contacts is not None, contacts
 
     results, texts = read_through(len(raw), read, reader, stream.loaded)
@@ -167,6 +173,18 @@ def recorded_frames(
         for number, (was_read, result) in enumerate(results)
         if was_read
     ]
+
+
+def _absent(
+    raw: Float[np.ndarray, "frame face sensor 3"], channels: tuple[Channel, ...]
+) -> list[Channel]:
+    """Return the channels that a whole file has no reading of; none where it has of none, or no such face
+    or sensor."""
+    _, faces, sensors, _ = raw.shape
+    if any(face > faces or sensor >= sensors for face, sensor, _ in channels):
+        return []
+    absent = [c for c in channels if np.isnan(raw[:, c[0] - 1, c[1], c[2]]).all()]
+    return [] if len(absent) == len(channels) else absent
 
 
 def no_zero_text(path: Path, frames: int, zeroing: Zeroing, texts: Sequence[str]) -> str:

@@ -109,6 +109,21 @@ def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):
     assert sum(row["contacts"] == "2" for row in rows if int(row["frame"]) >= 10) >= 8
 
 
+def test_a_chip_that_a_whole_file_lacks_is_left_out(folder, tmp_path):
+    """The grasp on faces 3 and 5 is read by the other chips."""
+    with (folder / "grasp.csv").open() as file:
+        header, *rows = csv.reader(file)
+    kept = [k for k, name in enumerate(header) if not name.startswith("F1-") or name[4] != "3"]
+    path = tmp_path / "less.csv"
+    path.write_text("\n".join(",".join(row[k] for k in kept) for row in [header, *rows]) + "\n")
+    arguments = ["predict", folder / "contacts.nc", path, "--zero", "first"]
+    document = told([*arguments, "--out", tmp_path])
+    assert any("no reading of F1-X3, F1-Y3, F1-Z3" in text for text in document["texts"])
+    with (tmp_path / "runs" / "less" / "contacts.csv").open() as file:
+        found = list(csv.DictReader(file))
+    assert sum(row["contacts"] == "2" for row in found if int(row["frame"]) >= 10) >= 8
+
+
 def sent_to(mcap):
     """Stamps (s) of every topic of an MCAP file, and the documents of its contacts."""
     reader, stamps, documents = pytest.importorskip("mcap.reader"), {}, []
