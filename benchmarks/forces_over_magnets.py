@@ -35,7 +35,7 @@ ELEVATIONS = np.radians(np.linspace(-86, 86, 58))
 """Grid of the pear's splines."""
 TOUCHING_MM = 0.1
 BORE_MM = 10.0
-"""Of the capsule, along it at +x; 12 mm away from a place it already takes 6 % of the force."""
+"""Places of the capsule, along it at +x; 12 mm away from a place it already takes 6 % of the force."""
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ def measure(quick: bool, count: int, means: int) -> Result:
 
 
 def _row(reader: Inversion, slip_mm: float, streams: int) -> Result:
-    """What streams of grasps show: frames until the slip is named, its size, and the presses after it."""
+    """Measures of streams of grasps: frames until the slip is named, its size, and the presses after it."""
     delays, sizes, good, alarms = [], [], [], 0
     slips_at = _SLIPPED_PRESS * GRASP + 4
     for seed in range(streams):

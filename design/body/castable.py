@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 _SIMPLIFIED_MM = 0.05
 """Tolerance within which a scan's triangles are merged: less than a printed layer."""
 _DIRECTIONS = 6000
-"""Directions, evenly over the sphere, in which the even body is supported: 1.5° apart, so that between them a
-ball of radius r is short of r by a part in 7000."""
+"""Directions, evenly over the sphere, in which the even body is supported: 2.5° apart, so that between them a
+ball of radius r is short of r by a part in 1600 at most (0.02 mm of 30 mm)."""
 _SAMPLES = 3000
 """Points of the convex body at which its distance to the scan is measured."""
 
@@ -28,7 +28,8 @@ class CastableBody:
 
     Attributes
     ----------
-    surface : closed, its tightest box along the axes and longest along z, its middle in the origin
+    surface : closed, along the axes of the hull's tightest box and longest along z, its middle in the
+        origin
     off_mm : largest and median distance to the scan of the surface whose hollows are filled; over a deep
         hollow that is the distance to its nearest wall
     evened_mm : largest distance by which both sides were moved to be mirror images

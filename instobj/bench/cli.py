@@ -75,11 +75,12 @@ def collect(
 def firmware(
     spec: Spec,
     board: Annotated[
-        str,
+        str | None,
         typer.Option(
-            help="Board that reads the sensors: mega2560, pico, esp32c3, esp32s3; -espnow: wireless."
+            help="Board that reads the sensors: mega2560, pico, esp32c3, esp32s3; -espnow: wireless "
+            "(default: the first that can)."
         ),
-    ],
+    ] = None,
     topology: Annotated[
         str | None,
         typer.Option(

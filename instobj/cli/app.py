@@ -61,16 +61,10 @@ All commands: instobj --help. What one does: instobj COMMAND --help."""
 
 
 @app.callback(invoke_without_command=True)
-def first_session(
-    context: typer.Context,
-    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False,
-) -> None:
+def first_session(context: typer.Context) -> None:
     """Design, simulate and calibrate instrumented objects that feel how they are grasped."""
-    if version:
-        typer.echo(f"instobj {metadata.version('instobj')}")
-        raise typer.Exit
     if context.invoked_subcommand is None:
-        typer.echo(FIRST_SESSION)
+        typer.echo(f"instobj {metadata.version('instobj')}. {FIRST_SESSION}")
 
 
 @app.command(rich_help_panel=DESIGN)

@@ -19,7 +19,7 @@ NEXT = {
     f"run {GO}": "build",
     f"run {NO_GO}": "optimize",
     "run": "score",
-    "build": "bench firmware --board mega2560",
+    "build": "bench firmware",
     "build unscored": "score",
     "no search": "docs layout_search",
     "optimize": "run",

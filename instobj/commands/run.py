@@ -217,14 +217,9 @@ def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[st
     document = run_chain(specs, ("sheet",), out, overrides)
     spec = load_spec(specs[0], overrides)
     # parts of an object that was not scored may not be worth casting
-    plan = first_plan(spec) if Run(spec).stored("scores") is not None else None
-    if plan is None:
-        return document | {
-            "next": next_step("build unscored", *specs, out=out, overrides=overrides)
-        }
-    program = next_step("build", specs[0], out=out, overrides=overrides)
-    # the board that the parts list is of
-    return document | {"next": program.replace(" mega2560 ", f" {plan.board.name} ", 1)}
+    ready = Run(spec).stored("scores") is not None and first_plan(spec) is not None
+    done, paths = ("build", specs[:1]) if ready else ("build unscored", specs)
+    return document | {"next": next_step(done, *paths, out=out, overrides=overrides)}
 
 
 def simulate_recordings(

@@ -20,7 +20,6 @@ from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
 from estimator.networks.defaults import BATCH_FRAMES
-from fem.candidates.motions import candidate_lattices
 from fem.mesh.edge_lengths import FINE_LAYER_MM
 
 _GIB = 2.0**30
@@ -138,6 +137,8 @@ def _response(spec: ObjectSpec) -> Need:
 
 
 def _candidates(spec: ObjectSpec) -> Need:
+    from fem.candidates.motions import candidate_lattices  # loads sparse matrices
+
     faces, count = len(spec.body.sensed), sum(map(len, candidate_lattices(spec)))
     modes = _MODES_PER_LOAD * _face_loads(spec) / faces
     # six motions of single precision: of all faces' presses, and three copies of one face's

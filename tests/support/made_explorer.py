@@ -12,7 +12,7 @@ FORCES_N = (2.0, 5.0, 8.0)
 
 @cache
 def made_explorer():
-    """Of the paper's cube with 5 × 4 contact locations on a face, which stands still as zeroed."""
+    """Explorer of the paper's cube with 5 × 4 contact locations on a face, which stands still as zeroed."""
     spec = made_up_spec().changed(limits=LimitsSpec(use="bench"))
     spec = spec.changed(search=spec.search.changed(forces_n=FORCES_N))
     motions = made_up_motions(spec)

@@ -35,7 +35,7 @@ def grasps(rng, slip_mm, slips_at=0, presses=4):
 
 
 def zeroed(raw, rng):
-    """Against a zero of the unslipped object in another orientation."""
+    """Changes against a zero of the unslipped object in another orientation."""
     still_t = magnets_field_t(SPEC, np.zeros((1, 25, 6))) + earth_fields_t(rng, 1)[1][:, None]
     zero = expected_counts(SPEC, still_t)
     return raw - zero - SPEC.sensors.zeroing_counts * rng.standard_normal(zero.shape)

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from design.build.order_list import order_list, price_text
-from design.catalogue.bus_parts import board_named
+from design.catalogue.bus_parts import BOARDS, board_named
 from design.errors import InputError
 from design.spec_io import load_spec
 from design.wiring.bus_limits import FAST_KHZ
-from design.wiring.bus_plan import BusPlan, Choice, choose_plan
+from design.wiring.bus_plan import BusPlan, Choice, choose_plan, first_plan
 from design.wiring.dealing import WAYS
 from instobj.bench.firmware.project import project_files, write_project
 from instobj.bench.firmware.settings import supply_text
@@ -18,9 +18,16 @@ from instobj.store.publish import file_rows, require_writable, run_folder
 
 
 def write_firmware(
-    spec_path: Path, board: str, way: str | None, lead_mm: float, out: Path, overrides: list[str]
+    spec_path: Path,
+    board: str | None,
+    way: str | None,
+    lead_mm: float,
+    out: Path,
+    overrides: list[str],
 ) -> dict[str, Any]:
     """Choose the bus plan of a specification on a board and write its project, `runs/NAME/firmware_BOARD`.
+
+    Without a name `first_plan` chooses the board, as for the assembly sheet.
 
     Raises
     ------
@@ -31,10 +38,13 @@ def write_firmware(
     if way is not None and way not in WAYS:
         raise InputError(f"--topology {way!r} is not known. Choose one of {', '.join(WAYS)}")
     spec = load_spec(spec_path, overrides)
-    plan, choice = choose_plan(spec, board_named(board), lead_mm, way)
+    first = first_plan(spec) if board is None else None
+    # where no board can, the first one says why
+    chosen = board_named(board or next(iter(BOARDS))) if first is None else first.board
+    plan, choice = choose_plan(spec, chosen, lead_mm, way)
     files, orders = project_files(spec, plan), order_list(spec, plan)
     require_writable(out)
-    written = write_project(files, run_folder(out, spec.name) / f"firmware_{board}")
+    written = write_project(files, run_folder(out, spec.name) / f"firmware_{chosen.name}")
     return {
         "command": "firmware",
         "board": plan.board.name,

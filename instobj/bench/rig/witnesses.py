@@ -106,13 +106,13 @@ class Witnesses:
             There is one.
         """
         if self._unwitnessed >= _WITNESSED_FRAMES:
-            said = f"the tip is {travel_mm:.2f} mm below the surface"
+            reason = f"the tip is {travel_mm:.2f} mm below the surface"
             question = "Has the object moved"
             if self.cell is not None:
-                said = f"the load cell says {self.cell.force_n:.2f} N"
+                reason = f"the load cell says {self.cell.force_n:.2f} N"
                 question = "Does something else press on the cell"
             raise Disagreement(
-                f"{said} and no chip sees a contact. {question}, and is this the board of this object?"
+                f"{reason} and no chip sees a contact. {question}, and is this the board of this object?"
             )
         if self._unfelt >= _UNFELT_FRAMES and self.cell is not None:
             raise Disagreement(

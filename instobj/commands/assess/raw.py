@@ -59,7 +59,7 @@ def _rows(path: Path) -> list[dict[str, Any]]:
     clock = time_s if stamped else np.arange(len(values), dtype=float)
     rows = []
     for number, hold in enumerate(slips_in_channels(values, clock), start=1):
-        said = "cannot be said" if np.isnan(hold.bend) else "yes" if hold.slipped else "no"
+        verdict = "cannot be said" if np.isnan(hold.bend) else "yes" if hold.slipped else "no"
         row = {
             "recording": path.name,
             "hold": number,
@@ -67,7 +67,7 @@ def _rows(path: Path) -> list[dict[str, Any]]:
             "to frame": hold.end,
             "signal over noise": round(hold.signal, 1),
             "bend": None if np.isnan(hold.bend) else round(hold.bend, 2),
-            "slipped": said,
+            "slipped": verdict,
             "onset frame": round(hold.onset, 1) if hold.slipped else None,
         }
         if stamped:

@@ -55,7 +55,7 @@ def test_halves_part_at_the_seam_without_hooking(scan):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_an_even_lump_is_as_wide_in_the_mean_and_no_smaller(seed):
-    """Of Minkowski's mean both are theorems: mean widths add up, volumes are larger (Brunn-Minkowski)."""
+    """Theorems of Minkowski's mean: mean widths add up, volumes are larger (Brunn-Minkowski)."""
     scan = lump(seed)
     ways = even_directions(4000)
     body = castable_body(scan).surface

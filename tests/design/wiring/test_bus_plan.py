@@ -7,7 +7,7 @@ from design.catalogue.bus_parts import BOARDS, MEGA2560, PICO, bus_chip
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_limits import FrameTime, largest_capacitance_pf, pullup_kohm
-from design.wiring.bus_plan import all_plans, choose_plan
+from design.wiring.bus_plan import all_plans, choose_plan, first_plan, plan_or_none
 from design.wiring.dealing import EXPANDED, FACTORY, MIXED, MULTIPLEXED, STARTED
 from design.wiring.lengths import wire_lengths_mm
 
@@ -184,3 +184,13 @@ def test_a_tle493d_is_named_by_its_address_and_not_moved():
     assert [chip.part[-2:] for chip in mixed.chips[:5]] == ["A0", "A1", "A2", "A3", "A0"]
     alone = next(plan for plan in choice.plans if plan.way == MULTIPLEXED)
     assert {(chip.part, chip.address) for chip in alone.chips} == {("TLE493DW2B6A1", 0x22)}
+
+
+@pytest.mark.parametrize("sensors", [3, 5])
+def test_the_first_board_that_reads_an_object_is_taken(sensors):
+    """No board before it in the catalogue can; 25 chips draw more than the first one gives."""
+    spec = object_of(count_per_face=sensors)
+    board = first_plan(spec).board.name
+    can = [name for name, entry in BOARDS.items() if plan_or_none(spec, entry) is not None]
+    assert board == can[0]
+    assert (board == next(iter(BOARDS))) == (sensors == 3)

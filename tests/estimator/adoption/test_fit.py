@@ -112,10 +112,10 @@ def test_magnets_in_wrong_places_do_not_decide_the_arrangement():
     pressed = readings(spec_of("sensors-in-core"))
     over_chips = ((8.5, 0.0), (-4.3, 7.4), (-4.3, -7.4))
     spec = ObjectSpec.model_validate(content("sensors-in-core", over_chips))
-    found = told_arrangement(spec, [pressed])
-    assert found.reverse > found.normal
-    assert max(found.reverse, found.normal) < LEAST_EXPLAINED
-    assert found.finding.answer == "cannot be told"
+    arrangement = told_arrangement(spec, [pressed])
+    assert arrangement.reverse > arrangement.normal
+    assert max(arrangement.reverse, arrangement.normal) < LEAST_EXPLAINED
+    assert arrangement.finding.answer == "cannot be told"
 
 
 def test_places_of_all_faces_decide_the_arrangement_together():

@@ -129,7 +129,7 @@ def said_and_true(rng, sigma_n, pull_n, weight_n, balanced):
 
 @pytest.mark.parametrize(("pull_n", "weight_n"), [(0.0, 0.0), (1.5, 2.0)])
 def test_chances_of_damage_by_forces_that_balance_come_true(pull_n, weight_n):
-    """By each jaw alone they are too high: the larger of two noisy forces is taken, and drawn about again."""
+    """Forces of each jaw alone are too high: the larger of two noisy ones is taken, and drawn about again."""
     excess = {}
     for balanced in (False, True):
         rng = np.random.default_rng(7)
@@ -148,9 +148,11 @@ def test_a_sum_that_does_not_balance_moves_no_contact():
     corrected = drawn_in_balance(
         one_side, drawn, rng.standard_normal((40, 3)), 0.5, 0.0, UNKNOWN_WAY
     )
-    before, after = (np.array([one.force_n[:, 2] for one in some]) for some in (drawn, corrected))
-    assert_allclose(after.mean(axis=0), before.mean(axis=0), atol=0.03)
-    assert_allclose(after.std(axis=0), before.std(axis=0), rtol=0.05)
+    read_n, corrected_n = (
+        np.array([one.force_n[:, 2] for one in some]) for some in (drawn, corrected)
+    )
+    assert_allclose(corrected_n.mean(axis=0), read_n.mean(axis=0), atol=0.03)
+    assert_allclose(corrected_n.std(axis=0), read_n.std(axis=0), rtol=0.05)
 
 
 def test_exact_forces_stay_as_they_are():

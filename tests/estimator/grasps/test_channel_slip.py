@@ -59,7 +59,7 @@ def test_the_shipped_limit_calls_few_pulls_a_slip():
 
 
 def test_exchanged_labels_are_not_learnt():
-    """What may be had without the channels is the larger class."""
+    """The baseline without the channels is the larger class."""
     slipped, bend = truth_and_bends()
     rng = np.random.default_rng(1)
     null = [left_out_accuracy(rng.permutation(slipped), bend).mean() for _ in range(20)]

@@ -150,7 +150,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
 
 
 def test_a_few_frames_that_scatter_much_by_chance_leave_what_lasts_uncertain():
-    """Of twelve frames whose errors last by half, the mean errs as far as it says: seldom much farther."""
+    """The mean of twelve frames, whose errors last by half, errs as far as it says: seldom much farther."""
     rng, misses = np.random.default_rng(9), []
     held = squeeze(10.0, sigma_n=0.5).select(np.arange(20, 32))
     for _ in range(1500):

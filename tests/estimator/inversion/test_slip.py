@@ -19,9 +19,9 @@ def test_presses_on_a_slipped_core_are_read_once_rest_has_shown_the_slip(mm):
         raw, face = grasps(rng, mm)
         tracker, good = Tracker(inverted()), []
         for number, change in enumerate(zeroed(raw, rng)):
-            found = tracker.feed(change)
+            reading = tracker.feed(change)
             if number >= REST_FRAMES:
-                good.append(found.explained[0] and right(found, face[number : number + 1])[0])
+                good.append(reading.explained[0] and right(reading, face[number : number + 1])[0])
             else:
                 assert tracker.slip is None or number == REST_FRAMES - 1
         assert tracker.slip.size_mm == pytest.approx(mm, abs=0.015)
@@ -36,12 +36,12 @@ def test_a_slip_within_a_grasp_is_noticed_in_the_rest_after_it(zero):
     reader = LiveContacts(inverted(), zero, 8)
     good = []
     for number, counts in enumerate(raw):
-        found = reader.feed(counts.reshape(5, 3, 3), number / 10)
+        reading = reader.feed(counts.reshape(5, 3, 3), number / 10)
         if number == slips_at - 1:
             assert reader.slip is None
         if number > slips_at + 16:
             assert reader.slip.size_mm == pytest.approx(0.1, abs=0.015)
-            good.append(found.explained[0] and right(found, face[number : number + 1])[0])
+            good.append(reading.explained[0] and right(reading, face[number : number + 1])[0])
     assert np.mean(good) >= 0.97
     reader.rezero()
     assert reader.condition().name == "recalibrate", "a new zero is no calibration"

@@ -106,13 +106,13 @@ def test_the_direction_of_the_field_follows_to_its_interval(number, pressed):
     face, _, motion = pressed[number]
     before, now = earth_fields_t(np.random.default_rng(12), FRAMES)
     counts = zeroed_counts(SPEC, motion, np.random.default_rng(12))
-    found, _ = inverted().read(counts)
-    read_ut = 1e6 * before + found.since_zero[:, :3]
+    contacts, _ = inverted().read(counts)
+    read_ut = 1e6 * before + contacts.since_zero[:, :3]
     cosine = (read_ut * now).sum(axis=1)
     cosine /= np.linalg.norm(read_ut, axis=1) * np.linalg.norm(now, axis=1)
-    fine = right(found, face)
+    fine = right(contacts, face)
     off_rad = np.arccos(np.clip(cosine, -1, 1))[fine]
-    interval_rad = 2.15 * found.since_zero_sigma[fine, :3].max(axis=1) / 50.0
+    interval_rad = 2.15 * contacts.since_zero_sigma[fine, :3].max(axis=1) / 50.0
     # nine tenths of 60 scatter by 0.04
     assert 0.8 <= np.mean(off_rad <= interval_rad) <= 1.0
     assert np.median(np.degrees(off_rad)) < 15.0

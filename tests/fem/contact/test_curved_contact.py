@@ -119,8 +119,8 @@ def test_points_of_a_steep_cap_are_shared_among_the_corners_of_its_own_triangles
     xy = np.random.default_rng(6).uniform(-12, 12, (200, 2))
     points = np.column_stack([xy, face.frame.relief.evaluate(xy)[0]])
     vertices, share = facet_shares(face, points)
-    own = {tuple(sorted(corners)) for corners in face.surface.triangles.tolist()}
-    assert {tuple(sorted(corners)) for corners in vertices.tolist()} <= own
+    triangles = {tuple(sorted(corners)) for corners in face.surface.triangles.tolist()}
+    assert {tuple(sorted(corners)) for corners in vertices.tolist()} <= triangles
     assert share.min() >= 0
     assert_allclose(share.sum(axis=1), 1)
     corners = face.surface.points_mm[vertices]

@@ -85,9 +85,9 @@ def test_bad_input_ends_with_one_error_that_says_the_way_out(folder, words, mess
 def test_without_a_specification_the_arrangement_is_said_to_need_one(folder):
     done = run("adopt", "log.csv", cwd=folder)
     assert done.returncode == 0
-    said = " ".join(done.stdout.split())
-    assert "arrangement, normal or reverse: in no log alone" in said
-    assert "--spec FILE with the places of chips and magnets" in said
+    text = " ".join(done.stdout.split())
+    assert "arrangement, normal or reverse: in no log alone" in text
+    assert "--spec FILE with the places of chips and magnets" in text
 
 
 def test_a_specification_of_another_object_is_refused(folder):

@@ -120,8 +120,8 @@ def test_a_chip_that_a_whole_file_lacks_is_left_out(folder, tmp_path):
     document = told([*arguments, "--out", tmp_path])
     assert any("no reading of F1-X3, F1-Y3, F1-Z3" in text for text in document["texts"])
     with (tmp_path / "runs" / "less" / "contacts.csv").open() as file:
-        found = list(csv.DictReader(file))
-    assert sum(row["contacts"] == "2" for row in found if int(row["frame"]) >= 10) >= 8
+        rows_of_contacts = list(csv.DictReader(file))
+    assert sum(row["contacts"] == "2" for row in rows_of_contacts if int(row["frame"]) >= 10) >= 8
 
 
 def sent_to(mcap):

@@ -97,7 +97,7 @@ def test_bounds_of_few_places_are_those_of_more(placed):
 
 
 def test_a_place_has_the_same_bound_among_few_places_and_among_many():
-    """With 1.3 vectors a place, bounds of places 7 mm apart were up to 60 times too small."""
+    """Bounds with 1.3 vectors a place, of places 7 mm apart were up to 60 times too small."""
     request = Request("pad", (60.0, 42.0, 11.0), sensors=2, magnets=4)
     spec = spec_of(next(fitting_tables(request, SHELL_VARIANTS[-1:], COARSE)))
     by_place = []

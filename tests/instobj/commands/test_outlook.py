@@ -74,7 +74,7 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
 
 @pytest.mark.slow
 def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
-    """Of a pad with 97 % within: nothing can bring 5 % more."""
+    """A pad with 97 % within: nothing can bring 5 % more."""
     request = Request("pad", (36.0, 36.0, 12.0), sensors=2)
     tables = placed(replace(request, magnets=9))
     told = parts_that_help(request, spec_of(tables), FirstScore(0.6, 1.4, 0.97))
@@ -86,10 +86,10 @@ def test_parts_that_ask_for_another_shell_say_which():
     """Two more sensors of a box meant a shell of 5 instead of 8 mm and smaller magnets, unsaid."""
     request, shell = Request("box", (55.0, 40.0, 45.0)), ShellVariant(8.0, 6.0, 5.0, 1.0)
     tables = next(fitting_tables(replace(request, magnets=9), (shell,), COARSE))
-    told = parts_that_help(request, spec_of(tables), FirstScore(0.6, 3.5, 0.1))
+    advice = parts_that_help(request, spec_of(tables), FirstScore(0.6, 3.5, 0.1))
     assert re.search(
         r"--sensors \d\), which is another object with a shell of [\d.]+ mm \(not 8 mm\) and magnets of",
-        told,
+        advice,
     )
 
 

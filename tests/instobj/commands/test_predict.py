@@ -441,7 +441,7 @@ def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(fold
 
 
 def test_a_recording_that_was_trained_on_is_named(folder, tmp_path):
-    """As the data set beside the estimator tells; of forces that are others nothing is said."""
+    """The data set in the estimator's folder shows it; readings that are a tenth larger are none of it."""
     model = tmp_path / "face_3.onnx"
     shutil.copy(folder / "robot" / "face_3.onnx", model)
     frames = made_frames()

@@ -191,12 +191,12 @@ def test_disturbances_are_unknowns_that_all_chips_read(channels):
     force = explorer.judge(design, 5.0).force_bound_n
     count = 3 * design.sensors.count_per_face
     for row, face in enumerate(explorer.presses):
-        own = np.arange(row * count, (row + 1) * count)
-        seen = np.arange(len(white)) if channels == "all" else own
+        rows_of_face = np.arange(row * count, (row + 1) * count)
+        seen = np.arange(len(white)) if channels == "all" else rows_of_face
         slopes = explorer.press(design, face, 5.0).changes[:, :, :3]
         for place, slope in enumerate(slopes):
             rows = np.zeros((len(white), 3))
-            rows[own] = slope
+            rows[rows_of_face] = slope
             model = np.hstack([rows, white])[seen]
             information = model.T @ model + np.diag([0.0] * 3 + [1.0] * white.shape[1])
             variance = np.diag(np.linalg.inv(information))

@@ -268,7 +268,7 @@ def choose(page, name, value):
 
 
 def test_grade_chip_and_disturbances_change_the_map_and_are_saved(page, served, tmp_path):
-    before = np.array(page.ask("instobjExplore.map()"))
+    map_before = np.array(page.ask("instobjExplore.map()"))
     for act, tables in (
         (lambda: choose(page, "grade", "N35"), {"magnets": {"grade": "N35"}}),
         (
@@ -283,8 +283,8 @@ def test_grade_chip_and_disturbances_change_the_map_and_are_saved(page, served, 
         after = np.array(page.ask("instobjExplore.map()"))
         np.testing.assert_array_equal(after, np.float32(expected(page).ravel()))
         # less field, more noise, and unknowns: each blurs every place
-        assert (after > before).all()
-        before = after
+        assert (after > map_before).all()
+        map_before = after
     assert shown(page, "range") == "±133 mT\n±266 mT"
     _, folder = served
     made_before = set(folder.glob("*.toml"))

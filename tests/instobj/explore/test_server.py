@@ -123,11 +123,11 @@ def test_a_shell_that_needs_more_memory_than_there_is_stays_coarse_and_says_so(
     (status, *_), (_, state, _) = ask(
         session, ("POST", "/judge", {}, body), ("POST", "/state", {}, body)
     )
-    told = json.loads(state)
+    content = json.loads(state)
     assert status == 200
-    assert not told["refining"]
-    assert "needs about" in told["refined"]
-    assert "mesh.surface_edge_mm" in told["refined"]
+    assert not content["refining"]
+    assert "needs about" in content["refined"]
+    assert "mesh.surface_edge_mm" in content["refined"]
 
 
 def test_a_shell_without_room_is_told_with_what_is_wrong(session):

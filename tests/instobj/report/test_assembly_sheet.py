@@ -64,8 +64,8 @@ def test_silicone_by_hand():
 
 def test_a_bay_in_a_closed_core_is_filled_and_closed_before_casting():
     closed = parsed(body={"open_faces": []}, core={"bay_mm": [9, 9, 9]})
-    said = steps(closed, ("core", "core_base", "core_lid"))
-    order = [next(k for k, step in enumerate(said) if word in step) for word in
+    listed = steps(closed, ("core", "core_base", "core_lid"))
+    order = [next(k for k, step in enumerate(listed) if word in step) for word in
              ("core.3mf is not printed", "charged battery into core_base", "release agent")]  # fmt: skip
     assert order == sorted(order)
     assert not any("core_lid" in step for step in steps(parsed(body={"open_faces": []}), ("core",)))

@@ -219,7 +219,7 @@ def test_weak_edges_come_with_the_cheapest_change_that_halves_their_bound(after_
 def test_edges_that_are_not_weak_do_not_hide_that_the_worst_location_is_at_one(
     face, direction, said
 ):
-    """Of a box "as good as the middle" stood above a worst location next to its open side."""
+    """A box's "as good as the middle" stood above a worst location next to its open side."""
     xy_mm = contact_grid(SPEC).xy_mm
     bounds = np.ones((5, len(xy_mm)))
     # outermost in that direction, in the middle of the other; the middle for none

@@ -105,16 +105,18 @@ def test_the_page_says_where_best_toml_is_your_own_layout(tmp_path, results, mon
     for module, names in DRAWN.items():
         for name in names:
             monkeypatch.setattr(module, name, _dots)
-    found, spec = promote(("it is worse",)), parse_spec({"name": "start"}, "s")
-    swapped = replace(found.best, levels=found.start.levels)
-    found = replace(found, start=replace(found.start, levels=found.best.levels))
-    found = replace(found, leaders=(swapped,), finalists=(swapped,))
-    layouts = [ShownLayout(one.label, one.spec, (2.0, 3.0)) for one in (found.start, found.best)]
-    path = write_search_page(spec, found, made_up_history(), layouts, results, tmp_path, print)
-    told = read(path.read_text(encoding="utf-8"))
+    promotion, spec = promote(("it is worse",)), parse_spec({"name": "start"}, "s")
+    swapped = replace(promotion.best, levels=promotion.start.levels)
+    promotion = replace(promotion, start=replace(promotion.start, levels=promotion.best.levels))
+    promotion = replace(promotion, leaders=(swapped,), finalists=(swapped,))
+    layouts = [
+        ShownLayout(one.label, one.spec, (2.0, 3.0)) for one in (promotion.start, promotion.best)
+    ]
+    path = write_search_page(spec, promotion, made_up_history(), layouts, results, tmp_path, print)
+    page_text = read(path.read_text(encoding="utf-8"))
     assert (
         "best.toml is your own layout; trial 7 <b>, the best one found, is shown here to compare"
-        in told
+        in page_text
     )
 
 

@@ -95,7 +95,7 @@ def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
 
 
 def test_after_mechanics_were_made_no_more_is_asked_for_than_was_said():
-    """Of a search that was warned to take 900 s the end asked for 1560."""
+    """A search that was advised to take 900 s asked for 1560 at its end."""
     limit = TimeLimit(0.01)
     assert limit.enough_s(300.0, 60.0) == 900
     with (

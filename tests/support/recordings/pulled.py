@@ -14,7 +14,7 @@ FRAMES, REST, CLOSED, OPENED = 170, 25, 45, 150
 NOISE_UT = 1.0
 _MODULUS_MPA, _PATCH_MM, _STIFF_N_PER_MM = 0.3, 2.5, 1.5
 _MOMENT_A_MM2 = 100.0
-"""As weak as that of magnets of a printed skin, whose channels change by some 100 µT."""
+"""Strength as weak as that of magnets of a printed skin, whose channels change by some 100 µT."""
 _CHIPS_MM = np.array([[0, 0, -9.0], [7, 0, -9], [-7, 0, -9], [0, 7, -9], [0, -7, -9]])
 _MAGNETS_MM = np.array([[x, y, -4.0] for x in (-6.0, 0.0, 6.0) for y in (-6.0, 0.0, 6.0)])
 

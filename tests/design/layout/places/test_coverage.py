@@ -73,7 +73,7 @@ def test_filled_places_lie_evenly_along_curved_surfaces(name, largest, variation
 
 
 def _are_gentle(spec):
-    """Which contact locations of each face have a tip and a pitch all round within the patch."""
+    """Contact locations of each face have a tip and a pitch all round within the patch."""
     reach = touched_reach_mm(spec) + spec.contact_grid.pitch_mm
     gentle = []
     for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
@@ -98,11 +98,11 @@ def test_neighbours_on_the_surface_are_a_pitch_apart(name):
     spec = load_spec(EXAMPLES / f"{name}.toml")
     grid, pitch = contact_grid(spec), spec.contact_grid.pitch_mm
     places = zip(face_frames(spec), contact_places(spec).copy(), _are_gentle(spec), strict=True)
-    for frame, there, gentle in places:
-        there[there] = gentle
+    for frame, on_lattice, gentle in places:
+        on_lattice[on_lattice] = gentle
         xy = frame.to_plane(grid.xy_mm)
         points = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
-        points = np.where(there[:, None], points, np.nan).reshape(*grid.shape, 3)
+        points = np.where(on_lattice[:, None], points, np.nan).reshape(*grid.shape, 3)
         for axis in (0, 1):
             steps = np.linalg.norm(np.diff(points, axis=axis), axis=-1) / pitch
             assert 0.985 <= np.nanmin(steps) <= np.nanmax(steps) <= 1.07

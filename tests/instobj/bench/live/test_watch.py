@@ -236,9 +236,9 @@ def test_a_chip_that_contacts_are_read_without_is_told():
 
 def test_a_slipped_core_is_named_with_what_to_do():
     slipped = object_condition(0.0, slip_mm=0.07)
-    told = Told(False)
-    told.feed = lambda *_: Found(np.zeros((0, 15)), True, condition=slipped)
-    watch = watching(told)
+    reader = Told(False)
+    reader.feed = lambda *_: Found(np.zeros((0, 15)), True, condition=slipped)
+    watch = watching(reader)
     assert watch.state()["condition"] == "fine"
     feed(watch, range(6))
     watch.read_next()

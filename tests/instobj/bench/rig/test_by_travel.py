@@ -71,7 +71,7 @@ def test_a_rig_without_a_load_cell_records_labels_by_travel(tmp_path, dialect, s
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_travel_is_labelled_within_a_tenth_of_a_millimetre(tmp_path, seed):
-    """By chips alone, on an object of which two places in four are far from all but one chip."""
+    """Touch by chips alone, on an object of which two places in four are far from all but one chip."""
     bench = WithoutCell(seed=seed)
     labels = []
     with at_bench(bench, SPEC, SETTINGS, tmp_path, presses=2, by_travel=True) as (station, go, _):

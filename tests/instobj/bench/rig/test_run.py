@@ -125,7 +125,7 @@ def test_a_run_without_a_load_cell_goes_on_after_a_fault_and_only_without_one(tm
         made.plan = once(lambda made: setattr(made, "board_silent", True), second_press)
         with pytest.raises(InputError, match=r"board has said nothing.*tip is up"):
             rig(by_travel(made), yes)
-        before = rows_of(tmp_path)
+        rows_before = rows_of(tmp_path)
         require_tip_up(made)
         made.board_silent = made.load_silent = False
         with pytest.raises(RecordingError, match="other columns"):
@@ -134,7 +134,7 @@ def test_a_run_without_a_load_cell_goes_on_after_a_fault_and_only_without_one(tm
         made.load_silent = True
         done = rig(by_travel(made, resume=True), yes)
         require_tip_up(made)
-    assert rows_of(tmp_path)[: len(before)] == before
+    assert rows_of(tmp_path)[: len(rows_before)] == rows_before
     assert done["presses"] == 3
     assert max(row["travel_mm"] or 0.0 for row in rows_of(tmp_path)) == pytest.approx(2.0, abs=0.02)
 
