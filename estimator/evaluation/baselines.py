@@ -17,7 +17,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import FaceData, channel_counts, face_data, with_history
+from estimator.frames.face_data import Channel, FaceData, channel_counts, face_data, with_history
 from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import force_reference
 from estimator.networks.face_model import FaceModel, predict
@@ -95,7 +95,7 @@ def held_out_answers(
         most = MOST_FRAMES_OF_PROCESS if name == "gaussian process" else MOST_FRAMES
         shown = drawn_frames(thinned(learned, seed), most, seed)
         fitted_frames[name] = len(shown)
-        answers.append(_answers(name, make, shown, tested, model))
+        answers.append(_answers(name, make, shown, tested.frames, model.channels))
     return HeldOutAnswers(
         face=model.face,
         true_force_n=tested.heatmap_n.sum(axis=(1, 2)),
@@ -110,6 +110,31 @@ def held_out_answers(
         answers=tuple(answers),
         fitted_frames=fitted_frames,
     )
+
+
+def simple_answers(
+    training: FrameSet,
+    read: FrameSet,
+    face: int,
+    channels: tuple[Channel, ...],
+    history_frames: int,
+) -> list[ContactAnswers]:
+    """Read a face in frames by the baselines that fit in a second, with the channels of a model.
+
+    `read` has readings of all of these, changes over time included (`frames_with_readings`).
+
+    Raises
+    ------
+    InputError
+        No contact on the face in `training`, or no reading of a channel.
+    """
+    whole = with_history(training, history_frames)
+    learned = with_contacts(face_data(whole, face), "training")
+    shown = drawn_frames(thinned(learned, 0), MOST_FRAMES, 0)
+    return [
+        _answers(name, REGRESSORS[name], shown, read, channels)
+        for name in ("ridge", "nearest neighbours")
+    ]
 
 
 def baseline_reports(held_out: HeldOutAnswers, seed: int = 0) -> list[BaselineReport]:
@@ -159,14 +184,12 @@ def _answers(
     name: str,
     make: Callable[[np.ndarray, np.ndarray], Any],
     shown: FaceData,
-    tested: FaceData,
-    model: FaceModel,
+    tested: FrameSet,
+    channels: tuple[Channel, ...],
 ) -> ContactAnswers:
     from sklearn.preprocessing import StandardScaler
 
-    counts, tested_counts = (
-        channel_counts(part.frames, model.channels) for part in (shown, tested)
-    )
+    counts, tested_counts = (channel_counts(part, channels) for part in (shown.frames, tested))
     scaler = StandardScaler().fit(counts)
     counts, tested_counts = (np.asarray(scaler.transform(part)) for part in (counts, tested_counts))
     force, touched = shown.heatmap_n.sum(axis=(1, 2)), shown.contact

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from jaxtyping import Bool, Float
 
 from design.errors import InputError, RecordingError
 from design.tables import write_table
-from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gaps
+from estimator.deploy.runtime import DeployedModel, LiveReader, load_deployed, predict_with_gaps
 from estimator.frames.dataset import FrameSet, load_frames
+from estimator.frames.face_data import frames_with_readings
 from estimator.frames.same_object import require_same_object
 from estimator.inversion.condition import object_condition
 from estimator.networks.prediction import NOVEL_FROM, Prediction
@@ -28,6 +31,7 @@ from instobj.commands.readings import (
     prediction_path,
     recorded_frames,
     recorded_stream,
+    training_data_set,
     training_frames,
     unexplained_text,
     zeroed_data_set,
@@ -68,7 +72,8 @@ def predict_file(
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out, and
     so are, counted, frames that lack a reading of a channel which gives readings elsewhere, or have one that
-    checks do not believe.
+    checks do not believe. Where the file has labels, errors of force and place are given, beside those of a
+    simple regression where the model's training data set lies in its folder.
 
     Raises
     ------
@@ -102,6 +107,7 @@ def predict_file(
         first_frame = read[0][0] if read else 0
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces, labelled = [row["force_n"] for row in rows], _labelled(path)
+    labels = None if labelled is None else _pressed_labels(labelled, model.face, rows)
     summary = {
         "face": model.face,
         "frames": len(rows),
@@ -112,41 +118,149 @@ def predict_file(
         "condition of the object": str(object_condition(novel / max(len(rows), 1))),
         "largest force N": max(forces, default=0.0),
         "force interval should hold": model.interval_cover,
-        **_measured_cover(labelled, model.face, rows),
+        **_measured_cover(labels, model.face),
     }
     texts = [*texts, *unexplained_text(path, novel, len(rows))]
-    if labelled is not None and is_trained_on(
-        labelled, training_frames(model_path, (model.face,)), (model.face,)
-    ):
-        texts.append(
-            f"{path.name} is what {model_path.name} was trained on: these figures hold for no other recording"
+    tables: dict[str, list[dict[str, Any]]] = {f"{path.name}, {model_path.name}": [summary]}
+    if labelled is not None and labels is not None and labels.rows:
+        trained_on = is_trained_on(
+            labelled, training_frames(model_path, (model.face,)), (model.face,)
         )
+        judged = [_errors_row(model_path.name, labels, *_read_by(labels.rows))]
+        if trained_on:
+            texts.append(
+                f"{path.name} is what {model_path.name} was trained on: these figures hold for no other "
+                "recording"
+            )
+        else:
+            judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
+        texts += _novel_text(path, labels)
+        tables[f"against the labels of {path.name}, frames pressed on face {model.face}"] = judged
     return {
         "command": "predict",
         "texts": texts,
-        "tables": {f"{path.name}, {model_path.name}": [summary]},
+        "tables": tables,
         "files": file_rows([target]),
     }
 
 
-def _measured_cover(
-    frames: FrameSet | None, face: int, rows: list[dict[str, float]]
-) -> dict[str, Any]:
-    """Share of the frames pressed on a face whose force lies in its interval, by the file's load cells."""
+@dataclass(frozen=True)
+class _PressedLabels:
+    """Labels of the frames pressed on a face: rows that were read of them, total force, centre of force."""
+
+    rows: list[dict[str, float]]
+    force_n: Float[np.ndarray, "row"]
+    xy_mm: Float[np.ndarray, "row 2"]
+
+    def held(self, novel: bool | None = None) -> Bool[np.ndarray, "some"]:
+        """Return whether each force lies in its interval; of novel frames, of the others, or of all."""
+        low, high = (self.column(name) for name in ("force_low_n", "force_high_n"))
+        held = (low <= self.force_n) & (self.force_n <= high)
+        return held if novel is None else held[(self.column("novelty") > NOVEL_FROM) == novel]
+
+    def column(self, name: str) -> Float[np.ndarray, "row"]:
+        return np.array([row[name] for row in self.rows])
+
+
+def _pressed_labels(
+    frames: FrameSet, face: int, rows: list[dict[str, float]]
+) -> _PressedLabels | None:
+    """Return the labels of the rows pressed on a face; None where nothing was read."""
+    if not rows:
+        return None
     number = np.array([row["frame"] for row in rows], int)
-    if frames is None or not len(number):
-        return {"force interval held": "not known, without load cells"}
     on_face = frames.contact_face[number] == face
     pressed = np.asarray(on_face.any(axis=1)) & frames.valid[number]
-    true_n = np.where(on_face, np.nan_to_num(frames.force_n[number, :, 2]), 0.0).sum(axis=1)
-    low, high = (np.array([row[name] for row in rows]) for name in ("force_low_n", "force_high_n"))
-    if not pressed.any():
+    weight_n = np.where(on_face, np.nan_to_num(frames.force_n[number, :, 2]), 0.0)[pressed]
+    total_n = weight_n.sum(axis=1)
+    places_mm = np.where(on_face[..., None], frames.contact_xy_mm[number], 0.0)[pressed]
+    # centre of force: Σ F x / Σ F; a press labelled with no force has no centre
+    moment = np.sum(weight_n[..., None] * places_mm, axis=1)
+    with np.errstate(invalid="ignore"):
+        centre_mm = moment / np.where(total_n > 0, total_n, np.nan)[:, None]
+    return _PressedLabels(
+        [rows[k] for k in np.flatnonzero(pressed).tolist()], total_n, centre_mm
+    )
+
+
+def _measured_cover(labels: _PressedLabels | None, face: int) -> dict[str, Any]:
+    """Share of the frames pressed on a face whose force lies in its interval, by the file's load cells."""
+    if labels is None:
+        return {"force interval held": "not known, without load cells"}
+    if not labels.rows:
         return {"force interval held": f"not known, no press on face {face}"}
-    held = ((low <= true_n) & (true_n <= high))[pressed]
     return {
-        "force interval held": round(float(held.mean()), 3),
-        "of frames pressed": int(pressed.sum()),
+        "force interval held": round(float(labels.held().mean()), 3),
+        "of frames pressed": len(labels.rows),
     }
+
+
+def _novel_text(path: Path, labels: _PressedLabels) -> list[str]:
+    """Say how far intervals held in pressed frames that nothing explains; nothing without such frames."""
+    novel, usual = labels.held(novel=True), labels.held(novel=False)
+    if not len(novel):
+        return []
+    others = f", and {usual.mean():.0%} of the {len(usual)} others" if len(usual) else ""
+    return [
+        f"{path.name}: by its labels the force interval held {novel.mean():.0%} of the {len(novel)} pressed "
+        f"frames that nothing explains{others}. Where no labels show it, do not believe such frames"
+    ]
+
+
+def _read_by(rows: list[dict[str, float]]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the forces (N) and places (mm) of rows."""
+    force_n = np.array([row["force_n"] for row in rows])
+    return force_n, np.array([[row["x_mm"], row["y_mm"]] for row in rows])
+
+
+def _errors_row(
+    name: str, labels: _PressedLabels, force_n: np.ndarray, xy_mm: np.ndarray
+) -> dict[str, Any]:
+    """Return median and 95th percentile of errors against labels; None where no label has a place."""
+    missed_n = np.abs(force_n - labels.force_n)
+    away_mm = np.linalg.norm(xy_mm - labels.xy_mm, axis=1)
+    away_mm = away_mm[np.isfinite(away_mm)]
+    ends: list[float | None] = np.percentile(missed_n, [50, 95]).round(3).tolist()
+    ends += np.percentile(away_mm, [50, 95]).round(3).tolist() if len(away_mm) else [None, None]
+    titles = ("force error, median N", "95 % below, N", "place error, median mm", "95 % below, mm")
+    return {"read by": name, **dict(zip(titles, ends, strict=True)), "frames": len(missed_n)}
+
+
+def _simple_rows(
+    model: DeployedModel, training: Path, frames: FrameSet, labels: _PressedLabels
+) -> list[dict[str, Any]]:
+    """Return errors of the simple regression that errs least in force, fitted to the data set of the model.
+
+    No row without a data set that shows the face, and on a robot, which has no libraries to fit with.
+    """
+    try:
+        from estimator.evaluation.baselines import simple_answers
+    except ModuleNotFoundError:
+        return []
+    if not training.is_file():
+        return []
+    readable, wide = frames_with_readings(frames, model.channels, model.history_frames)
+    number = labels.column("frame").astype(int)
+    kept = readable[number]
+    if not kept.any():
+        return []
+    # `wide` holds the complete frames alone: numbers among these
+    chosen = (np.cumsum(readable) - 1)[number[kept]]
+    judged = _PressedLabels(
+        [labels.rows[k] for k in np.flatnonzero(kept).tolist()],
+        labels.force_n[kept],
+        labels.xy_mm[kept],
+    )
+    of_model = model.face, model.channels, model.history_frames
+    try:
+        answers = simple_answers(load_frames(training), wide.select(chosen), *of_model)
+    except InputError:  # the data set in the folder is of another object or face
+        return []
+    rows = [
+        _errors_row(f"{answer.name}, simple", judged, answer.force_n, answer.xy_mm)
+        for answer in answers
+    ]
+    return [min(rows, key=lambda row: row["force error, median N"])]
 
 
 def _labelled(path: Path) -> FrameSet | None:

@@ -275,12 +275,16 @@ def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
     return texts
 
 
+def training_data_set(given: Path) -> Path:
+    """Return where the data set lies that estimators of a folder, or one of its files, were trained on."""
+    folder = given if given.is_dir() else given.parent
+    return FRAMES.path(folder.parent if folder.name in OWN_FOLDERS else folder)
+
+
 def training_frames(given: Path, faces: Sequence[int]) -> frozenset[bytes]:
     """Return the signals of every frame in the data set of the estimators' folder, on these faces; none
     without a data set."""
-    folder = given if given.is_dir() else given.parent
-    folder = folder.parent if folder.name in OWN_FOLDERS else folder
-    data_set = FRAMES.path(folder)
+    data_set = training_data_set(given)
     if not data_set.is_file():
         return frozenset()
     return frozenset(_frame_keys(load_frames(data_set), faces))

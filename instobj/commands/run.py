@@ -405,7 +405,9 @@ def _require_trainable(path: Path, twin: Path | None, on: Path | None) -> None:
     if on is not None:
         raise InputError(
             f"--on judges contacts that inversion reads in another data set; got {path}. Add "
-            "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out"
+            "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out. "
+            f"Networks are judged on another recording by `instobj predict FACE.onnx {on}`, after "
+            "`instobj train --export`"
         )
     if path.suffix != ".nc" and twin is not None:
         raise InputError(

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -440,6 +441,55 @@ def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(fold
     assert own["force interval held"] > 0.7 > other["force interval held"]
 
 
+def judged(document):
+    """Rows of errors against labels, by what read."""
+    tables = document["tables"]
+    titles = [title for title in tables if title.startswith("against the labels")]
+    return {row["read by"]: row for title in titles for row in tables[title]}
+
+
+def test_errors_are_measured_against_labels_beside_a_simple_regression(folder, tmp_path):
+    """By hand from the predictions; the regression learns from the data set in the model's folder."""
+    model, true = tmp_path / "face_3.onnx", made_frames()
+    shutil.copy(folder / "robot" / "face_3.onnx", model)
+    save_frames(true, tmp_path / "frames.nc")
+    other = replace(true, signal_counts=1.1 * true.signal_counts)
+    save_frames(other, tmp_path / "other.nc")
+    document = predict_file(model, tmp_path / "other.nc", tmp_path)
+    with open(document["files"][0]["path"]) as table:
+        rows = list(csv.DictReader(table))
+    pressed = np.flatnonzero((true.contact_face == FACE).any(axis=1))
+    force_n, x_mm, y_mm = (
+        np.array([float(rows[k][name]) for k in pressed]) for name in ("force_n", "x_mm", "y_mm")
+    )
+    missed_n = np.abs(force_n - true.force_n[pressed, 0, 2])
+    away_mm = np.hypot(*(np.array([x_mm, y_mm]).T - true.contact_xy_mm[pressed, 0]).T)
+    network, simple = judged(document).values()
+    expected = np.concatenate([np.percentile(e, [50, 95]) for e in (missed_n, away_mm)])
+    np.testing.assert_allclose(list(network.values())[1:5], expected, atol=2e-3)
+    # made frames are linear in force: two epochs of a network are worse
+    assert simple["read by"] in ("ridge, simple", "nearest neighbours, simple")
+    assert simple["force error, median N"] < network["force error, median N"]
+    assert network["frames"] == simple["frames"] == len(pressed)
+    assert len(judged(predict_file(model, tmp_path / "frames.nc", tmp_path))) == 1
+
+
+def test_pressed_frames_that_nothing_explains_are_judged_apart(folder, tmp_path):
+    """An interval that held 88 % stood next to "do not believe these"."""
+    true = made_frames()
+    far, force_n = true.signal_counts.copy(), true.force_n.copy()
+    rows = np.flatnonzero((true.contact_face == FACE).any(axis=1))[::2]
+    far[rows] *= 40.0
+    force_n[rows] *= 40.0
+    save_frames(replace(true, signal_counts=far, force_n=force_n), tmp_path / "far.nc")
+    texts = predict_file(folder / "robot" / "face_3.onnx", tmp_path / "far.nc", tmp_path)["texts"]
+    (text,) = [text for text in texts if "by its labels" in text]
+    percents = re.search(r"held (\d+)% of the (\d+) pressed .* explains, and (\d+)% of the", text)
+    held, novel, others = map(int, percents.groups())
+    assert held <= 1 < 90 < others
+    assert len(rows) <= novel < 1.1 * len(rows)
+
+
 def test_a_recording_that_was_trained_on_is_named(folder, tmp_path):
     """The data set in the estimator's folder shows it; readings that are a tenth larger are none of it."""
     model = tmp_path / "face_3.onnx"
@@ -466,3 +516,4 @@ def test_without_load_cells_no_share_is_claimed(folder, tmp_path):
     model = folder / "robot" / "face_3.onnx"
     (row,) = next(iter(predict_file(model, tmp_path / "rest.nc", tmp_path)["tables"].values()))
     assert "not known" in row["force interval held"]
+    assert judged(predict_file(model, tmp_path / "rest.nc", tmp_path)) == {}
