@@ -116,7 +116,7 @@ class PlaceScores:
         return (
             f"{out.sum()} of {self.places.sum()} contact locations are not judged: the deepest press stays "
             f"below score.force_n there, at {self.force_at_score_n[out].min():.3g} N or more. Press deeper "
-            "(press.depths_mm, as far as check allows), lower the force, or take a firmer silicone"
+            "(press.depths_mm, as far as check allows) or lower score.force_n"
         )
 
     @property

@@ -17,10 +17,11 @@ from jaxtyping import Bool, Float, Int
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows, pressed_nodes
-from design.layout.places.positions import sensor_layout
+from design.layout.places.positions import magnet_layout, sensor_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, exact_model, magnets_model
+from estimator.field.seating import require_seated
 from estimator.field.sources import magnet_sources
 from estimator.signals.continuation import continued
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field, zero_motion
@@ -157,6 +158,23 @@ def rest_counts(
     place = scene(spec, core_slipped=True)
     model = model or exact_model(spec.magnets)
     return counts(place, sensed_field(place, zero_motion(place), model)[0], spec)
+
+
+def checked_rest_counts(spec: ObjectSpec) -> Float[np.ndarray, "sensor 3"]:
+    """Return `rest_counts` of an object whose sensors do not saturate at rest, none of them in a magnet, and
+    whose magnets stay in their pockets while they are set.
+
+    Raises
+    ------
+    InputError
+        It says which sensor or magnet, by how much, and which key to change.
+    """
+    sensors, magnets = sensor_layout(spec), magnet_layout(spec)
+    check_sensors_outside_magnets(sensors, magnets, magnet_sources(spec.magnets))
+    at_rest = rest_counts(spec)
+    check_rest(at_rest, sensors, spec.sensors)
+    require_seated(spec)
+    return at_rest
 
 
 def require_finite(spec: ObjectSpec, signals: Signals) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from design.body.kinds.registry import KINDS
 from design.catalogue.hall_sensors import hall_part
+from design.catalogue.silicones import softer_silicones
 from design.errors import InputError
 from design.placement.objects import (
     COARSE,
@@ -33,6 +34,7 @@ from estimator.layouts.without_mesh import (
     coarse,
     first_score,
 )
+from fem.candidates.layer import Layer
 from instobj.commands.run import check
 from instobj.report.cells import percent_text
 
@@ -262,10 +264,24 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
             "limit; a go needs all of them there"
         )
     return (
-        "NO-GO is to be expected, as a go needs every location within the limit, and brief searches with up "
-        f"to {request.sensors + 2} sensors on each face found little better: take a smaller body, a softer "
-        "silicone, or raise limits.position_bound_mm"
+        "NO-GO is to be expected: a go needs every location within the limit. Brief searches with up to "
+        f"{request.sensors + 2} sensors on each face found little better. Take a smaller body"
+        f"{_softer_text(spec)} or raise limits.position_bound_mm"
     )
+
+
+def _softer_text(spec: ObjectSpec) -> str:
+    """Return a softer silicone as a further change, by the rule of `score`'s "what to change": surely softer,
+    and carrying the force by the deepest press (here of a flat layer); nothing where there is none."""
+    given, indenter = spec.silicone, spec.indenter
+    least_mpa, _ = given.youngs_modulus_range_mpa or [given.youngs_modulus_mpa] * 2
+    surely, _ = softer_silicones(given.youngs_modulus_mpa, least_mpa, given.cure)
+    for silicone in surely[:1]:
+        modulus_mpa = silicone.modulus.youngs_modulus_mpa
+        layer = Layer(spec.shell.thickness_mm, modulus_mpa, indenter.radius_mm)
+        if layer.force_at(max(spec.press.depths_mm)) >= spec.score.force_n:
+            return f", a softer silicone (silicone.name = {silicone.name!r})"
+    return ""
 
 
 def _otherwise_text(spec: ObjectSpec, larger: ObjectSpec) -> str:

@@ -178,9 +178,7 @@ def _pressed_labels(
     moment = np.sum(weight_n[..., None] * places_mm, axis=1)
     with np.errstate(invalid="ignore"):
         centre_mm = moment / np.where(total_n > 0, total_n, np.nan)[:, None]
-    return _PressedLabels(
-        [rows[k] for k in np.flatnonzero(pressed).tolist()], total_n, centre_mm
-    )
+    return _PressedLabels([rows[k] for k in np.flatnonzero(pressed).tolist()], total_n, centre_mm)
 
 
 def _measured_cover(labels: _PressedLabels | None, face: int) -> dict[str, Any]:

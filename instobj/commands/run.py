@@ -75,17 +75,11 @@ def check(spec: ObjectSpec) -> SpecCheck:
     (15, True)
     """
     from design.layout.places.positions import magnet_layout, sensor_layout
-    from estimator.field.seating import require_seated
-    from estimator.field.sources import magnet_sources
-    from estimator.signals.hall import check_rest, check_sensors_outside_magnets
-    from estimator.signals.presses import rest_counts
+    from estimator.signals.presses import checked_rest_counts
 
     require_fit(spec)
     sensors, magnets = sensor_layout(spec), magnet_layout(spec)
-    check_sensors_outside_magnets(sensors, magnets, magnet_sources(spec.magnets))
-    counts = rest_counts(spec)
-    check_rest(counts, sensors, spec.sensors)
-    require_seated(spec)
+    counts = checked_rest_counts(spec)
     largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
     return SpecCheck(len(magnets.face), len(sensors.face), largest_mt, spec.sensors.range_mt)
 

@@ -12,8 +12,11 @@ from operator import mul
 from typing import Any
 
 from design.body.surface_chart import FACE_AXES
+from design.catalogue.silicones import softer_silicones
 from design.spec.object import ObjectSpec
+from design.spec_io import check
 from estimator.information.scores import PlaceScores, weakest_place
+from estimator.signals.presses import checked_rest_counts
 from instobj.report.cells import GO, NO_GO, percent_text
 from instobj.report.verdict import (
     LEAST_REACHED,
@@ -121,7 +124,7 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
         table.append([_joined(remedy.changes), *figures[remedy.changes], *more])
     first = None if go else first_change(candidates)
     return {
-        "decision": decision(candidates, go),
+        "decision": decision(candidates, go, further_text(spec, rows)),
         "settings": first.settings if first else (),
         "alternatives": table,
     }
@@ -199,7 +202,9 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
     if "alternatives" in results:
         rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
         lines["edges"] = edges_text(spec, edges, rows)
-        lines["what to change"] = decision(remedies(spec, rows), verdict.go)
+        lines["what to change"] = decision(
+            remedies(spec, rows), verdict.go, further_text(spec, rows)
+        )
     lines["edges"] += worst_edge_text(spec, scores, edges)
     return lines
 
@@ -217,13 +222,14 @@ def first_change(candidates: list[Remedy]) -> Remedy | None:
     return min(singles, key=_order, default=None)
 
 
-def decision(candidates: list[Remedy], go: bool) -> str:
-    """Return what to do, in one to three sentences; candidates come in the order of `remedies`."""
+def decision(candidates: list[Remedy], go: bool, further: str = "") -> str:
+    """Return what to do, in a few sentences; candidates come in the order of `remedies`, and `further` says
+    what was not tried (`further_text`)."""
     if go:
         return "Every limit is kept; nothing has to change"
     first = first_change(candidates)
     if first is None:
-        return "None of the changes tried here fits and makes it better"
+        return f"None of the changes tried here fits and makes it better{further}"
     if first.turns:
         return f"Turns it into a go: {first.text}"
     helps, nearest = f"Helps most alone: {first.text}", candidates[0]
@@ -236,11 +242,91 @@ def decision(candidates: list[Remedy], go: bool) -> str:
             f"; the weakest position bound is then {first.bound_mm:.2g} mm, and "
             "some locations feel nothing up to the deepest press"
         )
-    return (
-        f"None of the changes tried is enough, alone or with others. {helps}. Next to try: other places "
-        "(instobj optimize), then in the file magnets half as high again (magnets.height_mm) or a shell a "
-        "quarter thinner (shell.thickness_mm), as far as instobj check takes them"
-    )
+    return f"None of the changes tried is enough, alone or with others. {helps}{further}"
+
+
+_HIGHER, _THINNER = 1.5, 0.75
+"""Height of magnets and thickness of a shell over those of the design, as the next to try."""
+
+
+def further_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
+    """Return why a softer silicone is left out, and what to try next: options that `instobj check` takes."""
+    options = " or ".join(filter(None, (_higher_magnets(spec), _thinner_shell(spec))))
+    then = f", then {options}" if options else ""
+    softer = _softer_text(spec, rows)
+    return f"{softer}. Next to try: other places (instobj optimize){then}"
+
+
+def softer_label(name: str) -> str:
+    """Return the name of the change to a softer silicone, as users read it."""
+    return f"{name} as the silicone (softer: deeper presses)"
+
+
+def _softer_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
+    """Return why softer silicones are no remedy, as a sentence; nothing where one is."""
+    given = spec.silicone
+    least_mpa, most_mpa = given.youngs_modulus_range_mpa or [given.youngs_modulus_mpa] * 2
+    surely, perhaps = softer_silicones(given.youngs_modulus_mpa, least_mpa, given.cure)
+    reasons = list[str]()
+    if surely:
+        change = (softer_label(surely[0].name),)
+        row = next((row for row in rows if tuple(row["changes"]) == change), None)
+        if row is None:
+            reasons.append(f"{surely[0].name} does not fit the other keys")
+        elif row["unreached"] > 1 - LEAST_REACHED:
+            reasons.append(
+                f"with {surely[0].name} presses reach {spec.score.force_n:g} N at only "
+                f"{percent_text(1 - row['unreached'])} of the locations"
+            )
+        else:
+            return ""
+    if perhaps:
+        reasons.append(
+            f"{perhaps[0].name} ({_range_text(*perhaps[0].modulus.range_mpa)}) is not surely softer than "
+            f"this one ({_range_text(least_mpa, most_mpa)})"
+        )
+    why = "; ".join(reasons) or "the catalogue has none"
+    return f". Softer silicone is left out: {why}"
+
+
+def _range_text(low_mpa: float, high_mpa: float) -> str:
+    return f"{low_mpa:g} to {high_mpa:g} MPa" if low_mpa < high_mpa else f"{low_mpa:g} MPa"
+
+
+def _higher_magnets(spec: ObjectSpec) -> str:
+    """Return options for magnets half as high again; nothing where `instobj check` refuses them."""
+    height_mm = spec.magnets.height_mm
+    if isinstance(height_mm, tuple):
+        return ""
+    height_mm = round(_HIGHER * height_mm, 2)
+    fits = _passes_check(spec, {"magnets": {"height_mm": height_mm}})
+    return f"--set magnets.height_mm={height_mm:g}" if fits else ""
+
+
+def _thinner_shell(spec: ObjectSpec) -> str:
+    """Return options for a shell a quarter thinner, pressed as deep as it allows; nothing where it cannot be
+    pressed deep enough or `instobj check` refuses it."""
+    thickness_mm, depths_mm = round(_THINNER * spec.shell.thickness_mm, 2), spec.press.depths_mm
+    option = f"--set shell.thickness_mm={thickness_mm:g}"
+    # the deepest presses are left out one by one until the rest is taken; two depths are the fewest
+    for count in range(len(depths_mm), 1, -1):
+        kept = depths_mm[:count]
+        if not _passes_check(spec, shell={"thickness_mm": thickness_mm}, press={"depths_mm": kept}):
+            continue
+        if count == len(depths_mm):
+            return option
+        return f"{option} --set press.depths_mm=[{','.join(f'{depth:g}' for depth in kept)}]"
+    return ""
+
+
+def _passes_check(spec: ObjectSpec, tables: dict[str, dict[str, Any]]) -> bool:
+    """Return whether `instobj check` takes a specification with some keys changed."""
+    try:
+        changes = {name: getattr(spec, name).changed(**keys) for name, keys in tables.items()}
+        checked_rest_counts(check(spec.changed(**changes)))
+    except ValueError:
+        return False
+    return True
 
 
 def _joined(changes: tuple[str, ...]) -> str:

@@ -235,12 +235,17 @@ def _reach(spec: ObjectSpec, scores: PlaceScores) -> Check:
     """Bounds hold for locations that reach the force: an object that gives way too far is judged on few."""
     reached = float(scores.judged.sum() / scores.places.sum())
     deepest = max(spec.press.depths_mm)
+    # a firmer silicone locates less well: it is worth that only where most locations do not reach the force
+    advice = (
+        "press deeper (press.depths_mm) or lower score.force_n" if reached < 1 else "all of them"
+    )
+    advice += ", or take a firmer silicone" if reached < LEAST_REACHED else ""
     return Check(
         f"Judged: contact locations that reach {spec.score.force_n:g} N by {deepest:g} mm",
         percent_text(reached),
         f"≥ {100 * LEAST_REACHED:g} %",
         LEAST_REACHED / max(reached, 1e-9),
-        "lower score.force_n, or take a firmer silicone" if reached < 1 else "all of them",
+        advice,
     )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.catalogue.magnets import GRADES
-from design.catalogue.silicones import SILICONES
+from design.catalogue.silicones import SILICONES, softer_silicones
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.places.measures import place_measures
@@ -27,6 +27,7 @@ from estimator.information.weak_areas import bound_of_most, thirds_of
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
+from instobj.report.remedies import softer_label
 from instobj.report.verdict import worst_ratio
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
@@ -213,21 +214,12 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 def changes_of(spec: ObjectSpec) -> dict[str, Change]:
     """Return what can be changed of an object, under the names that users read; silicone becomes the next
     one of the catalogue that is surely softer, with the same cure."""
-    # Sources differ by more than neighbours in the catalogue do: of two moduli whose intervals overlap
-    # nobody knows which is the lower one.
     least_mpa, _ = spec.silicone.youngs_modulus_range_mpa or [spec.silicone.youngs_modulus_mpa] * 2
-    softer = [
-        silicone
-        for silicone in SILICONES.values()
-        if silicone.casting is not None
-        and silicone.casting.cure == spec.silicone.cure
-        and silicone.modulus.high_mpa < least_mpa
-    ]
-    nearest = max(softer, key=lambda silicone: silicone.modulus.youngs_modulus_mpa, default=None)
-    if nearest is None:
+    softer, _ = softer_silicones(spec.silicone.youngs_modulus_mpa, least_mpa, spec.silicone.cure)
+    if not softer:
         return _CHANGES
-    label = f"{nearest.name} as the silicone (softer: deeper presses)"
-    return _CHANGES | {label: partial(_cast_of, nearest.name)}
+    nearest = softer[0]
+    return _CHANGES | {softer_label(nearest.name): partial(_cast_of, nearest.name)}
 
 
 _CHANGES: dict[str, Change] = {

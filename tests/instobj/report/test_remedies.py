@@ -1,15 +1,20 @@
 """What turns a no-go into a go: the cheapest change that is enough, by hand from small tables."""
 
+import re
+
 import numpy as np
 import pytest
 
 from design.layout.places.contact_grid import contact_grid
-from design.spec_io import parse_spec
+from design.spec_io import parse_spec, with_overrides
+from instobj.commands.run import check as instobj_check
 from instobj.report.remedies import (
     decision,
     edges_text,
+    further_text,
     remedies,
     remedies_section,
+    softer_label,
     worst_edge_text,
 )
 from tests.support.objects.made_scores import scores_of
@@ -115,6 +120,37 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     assert f"{helps} then 3 mm, and some locations feel nothing" in told
     assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
+
+
+def test_what_to_try_next_is_taken_by_check_as_it_is_pasted():
+    """A thinner shell was advised, which `check` refused for depths of presses."""
+    text = further_text(SPEC, [START])
+    options = re.findall(r"--set (\S+)=(\S+)", text)
+    assert [key for key, _ in options] == [
+        *("magnets.height_mm", "shell.thickness_mm", "press.depths_mm"),
+    ]
+    (_, height), *thinner = options
+    for pasted in ([f"magnets.height_mm={height}"], [f"{key}={value}" for key, value in thinner]):
+        content = with_overrides({"name": "a"}, pasted)
+        instobj_check(parse_spec(content, "a"))
+    assert "depths" not in further_text(SPEC.changed(press={"depths_mm": [1.0, 2.0]}), [START])
+    thin = SPEC.changed(shell=SPEC.shell.changed(pocket_depth_mm=7.0))
+    assert "shell.thickness_mm" not in further_text(thin, [START])
+
+
+def test_why_a_softer_silicone_is_left_out_is_said():
+    """Dragon Skin 10 would have helped, and was left out without a word."""
+    label = softer_label("Ecoflex 00-30")
+    few = further_text(SPEC, [START, row((label,), unreached=0.9)])
+    assert "with Ecoflex 00-30 presses reach 5 N at only 10 % of the locations" in few
+    assert "Dragon Skin 10 (0.12 to 0.42 MPa) is not surely softer" in few
+    assert "(0.15 to 0.54 MPa)" in few
+    assert "left out" not in further_text(SPEC, [START, row((label,), unreached=0.1)])
+    softest = SPEC.changed(silicone={"name": "Ecoflex 00-30"})
+    assert "Softer silicone is left out: the catalogue has none" in further_text(softest, [START])
+    found = remedies(SPEC, [START, row(("b",), bound_mm=3.0)])
+    assert decision(found, go=False, further=few).endswith(few)
+    assert few not in decision(found, go=True, further=few)
 
 
 def test_a_set_that_comes_nearer_is_named_beside_the_change_that_helps_most():
