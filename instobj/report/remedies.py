@@ -154,8 +154,8 @@ def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, A
     halving = [remedy for remedy in better if shown[remedy] <= _HALF * float(f"{now:.2g}")]
     cheapest = min(halving, key=lambda remedy: (remedy.price, remedy.minutes), default=None)
     best = cheapest or min(better, key=lambda remedy: better[remedy])
-    effect = "Halved" if cheapest else "No change tried halves that; best"
-    return f"{text}. {effect} by {_joined(best.changes)}: {better[best]:.2g} mm"
+    effect = "This halves it" if cheapest else "No change tried halves it; the best"
+    return f"{text}. {effect}: {_joined(best.changes)} ({better[best]:.2g} mm)"
 
 
 def worst_edge_text(spec: ObjectSpec, scores: PlaceScores, content: dict[str, Any]) -> str:
@@ -311,7 +311,8 @@ def _thinner_shell(spec: ObjectSpec) -> str:
     # the deepest presses are left out one by one until the rest is taken; two depths are the fewest
     for count in range(len(depths_mm), 1, -1):
         kept = depths_mm[:count]
-        if not _passes_check(spec, shell={"thickness_mm": thickness_mm}, press={"depths_mm": kept}):
+        tables = {"shell": {"thickness_mm": thickness_mm}, "press": {"depths_mm": kept}}
+        if not _passes_check(spec, tables):
             continue
         if count == len(depths_mm):
             return option

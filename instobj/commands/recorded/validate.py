@@ -276,10 +276,8 @@ def _published(
                         document
                     ),
                     "calibrated on some presses, judged on others": calibration_rows(document),
-                    "what the residuals point to: freed by itself, judged on other places": [
-                        {"freed": name, **agreement}
-                        for name, agreement in document["freed"].items()
-                    ],
+                    "what the residuals point to: each cause fitted by itself, judged on other places; the "
+                    "likely one leaves the smallest share": cause_rows(document),
                 },
                 "files": file_rows([target / "validation.json", figure]),
             }
@@ -324,20 +322,35 @@ def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
     return rows
 
 
+_JUDGED = {
+    "own_cosine": "cosine, own faces",
+    "all_cosine": "cosine, all channels",
+    "left_share": "share of the change left",
+}
+"""Titles of the figures that judge predictions (`pose_fit.Judged`)."""
+
+
 def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
     """One row per kind of unseen presses and figure: before, after, null, p."""
     rows = []
     for test in document["calibration_tests"]:
-        for title, key, p in (
-            ("cosine, own faces", "own_cosine", test["p_own_cosine"]),
-            ("cosine, all channels", "all_cosine", None),
-            ("share of the change left", "left_share", test["p_left_share"]),
-        ):
+        p_values = {"own_cosine": test["p_own_cosine"], "left_share": test["p_left_share"]}
+        for key, title in _JUDGED.items():
             values = {"before": test["design"][key]} | {
                 when: test[when][key] for when in ("after", "null")
             }
-            rows.append({"unseen": test["unseen"], "figure": title, **values, "p": p})
+            rows.append(
+                {"unseen": test["unseen"], "figure": title, **values, "p": p_values.get(key)}
+            )
     return rows
+
+
+def cause_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
+    """One row per cause of residuals that was fitted by itself, the one that leaves least first."""
+    return [
+        {"cause": name} | {_JUDGED[key]: value for key, value in figures.items()}
+        for name, figures in document["freed"].items()
+    ]
 
 
 def calibration_texts(document: dict[str, Any]) -> list[str]:

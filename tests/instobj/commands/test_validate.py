@@ -12,7 +12,9 @@ from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
 from instobj.commands.recorded.validate import (
+    calibration_rows,
     calibration_texts,
+    cause_rows,
     exchanged_cases,
     not_recorded_texts,
 )
@@ -178,6 +180,18 @@ def test_an_object_that_is_the_drawing_is_called_so(permutations):
     worse = test | {"design": {"own_cosine": 0.9, "left_share": 0.3}}
     (said,) = calibration_texts({"cases": [[]] * 3, "calibration_tests": [worse]})
     assert "as drawn" not in said
+
+
+def test_columns_of_causes_are_titled_as_the_figures_of_calibration():
+    """`left_share` and `own_cosine` stood above columns."""
+    figures = {"own_cosine": 0.9, "all_cosine": 0.8, "left_share": 0.3}
+    (row,) = cause_rows({"freed": {"the design": figures}})
+    test = (
+        calibrated(19) | dict.fromkeys(("design", "after", "null"), figures) | {"p_left_share": 1}
+    )
+    titles = [row["figure"] for row in calibration_rows({"calibration_tests": [test]})]
+    assert list(row) == ["cause", *titles]
+    assert row["share of the change left"] == 0.3
 
 
 def test_calibration_without_exchanges_is_told():

@@ -224,8 +224,8 @@ def test_the_change_that_helps_most_comes_with_its_lines_to_copy():
 @pytest.mark.parametrize(
     ("after_mm", "sentence"),
     [
-        ((1.9, 0.9, 0.8), ". Halved by sensors: 0.9 mm"),
-        ((1.9, 1.5, 1.2), ". No change tried halves that; best by magnets: 1.2 mm"),
+        ((1.9, 0.9, 0.8), ". This halves it: sensors (0.9 mm)"),
+        ((1.9, 1.5, 1.2), ". No change tried halves it; the best: magnets (1.2 mm)"),
         ((2.0, 2.5, 3.0), "; none of the changes tried makes them better"),
     ],
 )
@@ -235,7 +235,7 @@ def test_weak_edges_come_with_the_cheapest_change_that_halves_their_bound(after_
         row((name,), edge_bound_mm=bound, **parts)
         for (name, parts), bound in zip(changes, after_mm, strict=True)
     ]
-    if sentence.startswith(". Halved"):  # 3 € for a sensor, 2 € for ten magnets
+    if sentence.startswith(". This halves"):  # 3 € for a sensor, 2 € for ten magnets
         rows[3]["magnets"] = 30
     weak = {"edge_ratio": 1.8, "edge_paths_mm": [9.0, 9.0], "thirds": []}
     text = edges_text(SPEC, weak, rows)
