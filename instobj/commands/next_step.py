@@ -9,6 +9,7 @@ from typing import Any
 
 from design.errors import InputError
 from instobj.report.cells import GO, NO_GO
+from instobj.store.readers import INVERSION
 
 NEXT = {
     "new": "check",
@@ -31,6 +32,7 @@ NEXT = {
     "export": "predict",
     "train SPEC": "run --to frames --set collection.kind=continuous --set collection.presses=20",
     "train contacts": "predict",
+    "train without twin": "train",
     "adopt order": "validate",
 }
 """Command to go on with, by what was done and its outcome."""
@@ -79,3 +81,36 @@ def verdict_step(
     except InputError:  # a search does not take this object
         return next_step("no search")
     return next_step(f"{command} {NO_GO}", failing[0], out=out, overrides=overrides)
+
+
+def _estimator_paths(document: dict[str, Any]) -> tuple[list[Path], Path | None]:
+    """Return the files that training wrote, and the one of an inversion among them."""
+    paths = [Path(row["path"]) for row in document["files"]]
+    return paths, next((path for path in paths if path.name == INVERSION.name), None)
+
+
+def assessing_text(document: dict[str, Any]) -> str:
+    """Say how networks of a data set assess grasps: they do not hold the object's specification."""
+    paths, contacts = _estimator_paths(document)
+    if contacts is not None:
+        return ""
+    return (
+        f"to assess grasps: instobj assess RECORDINGS --model {paths[0].parent} --spec SPEC.toml, where the "
+        "data set was read with `recordings --spec SPEC.toml`"
+    )
+
+
+def training_step(source: Path, document: dict[str, Any], out: Path, overrides: list[str]) -> str:
+    """Return the next step: what an inversion reads, the export of networks, or networks without the twin
+    where it helps on no face."""
+    from instobj.report.summary import TWIN_TITLE  # loads mechanics
+
+    paths, contacts = _estimator_paths(document)
+    twins = document["summary"].get(TWIN_TITLE, [])
+    if twins and not any(row["helps"].startswith("yes") for row in twins):
+        return next_step("train without twin", source, out=out)
+    if contacts is None:
+        return next_step("train", paths[0].parent)
+    if source.suffix == ".nc":
+        return next_step("train contacts", contacts, source, out=out)
+    return next_step("train SPEC", source, out=out, overrides=overrides)

@@ -15,7 +15,7 @@ from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
-from instobj.commands.next_step import next_step, verdict_step
+from instobj.commands.next_step import assessing_text, next_step, training_step, verdict_step
 from instobj.stages.run import Run, with_needs
 from instobj.stages.table import STAGES
 from instobj.stages.tasks import tasks_of
@@ -366,21 +366,13 @@ def run_estimator(
             chosen = chosen if inverting else stages
             _require_no_recording(spec, chosen, out)
             objects.append(run_one_object(spec, chosen, out))
-    next_command = _training_step(sources[0], objects[0]["files"], out, overrides)
-    return {"command": "estimator", "objects": objects, "next": next_command}
-
-
-def _training_step(
-    source: Path, files: list[dict[str, Any]], out: Path, overrides: list[str]
-) -> str:
-    """Return the next step: what an inversion reads, or the export of networks."""
-    paths = [Path(row["path"]) for row in files]
-    contacts = next((path for path in paths if path.name == INVERSION.name), None)
-    if contacts is None:
-        return next_step("train", paths[0].parent)
-    if source.suffix == ".nc":
-        return next_step("train contacts", contacts, source, out=out)
-    return next_step("train SPEC", source, out=out, overrides=overrides)
+    texts = list(map(assessing_text, objects)) if sources[0].suffix == ".nc" else []
+    return {
+        "command": "estimator",
+        "texts": list(filter(None, texts)),
+        "objects": objects,
+        "next": training_step(sources[0], objects[0], out, overrides),
+    }
 
 
 def _results_name(path: Path, overrides: list[str]) -> str:

@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     from estimator.recordings.travel_labels import TravelForces
     from instobj.stages.makers.twin import TwinOfData
 
+_NO_SPEC = (
+    "read without the object's specification: add --spec SPEC.toml to `assess` grasps by networks of it, or "
+    "to train with --twin"
+)
 _TWINS = 10
 """Objects that `train --twin` simulates, within what labelled presses leave possible."""
 
@@ -83,6 +87,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
             *(str(recording.report) for recording in recordings),
             *map(str, between),
             *absent,
+            *([] if spec is not None else [_NO_SPEC]),
         ],
         "files": file_rows([target]),
         "next": _recordings_step(frames, target, out),

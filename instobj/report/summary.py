@@ -43,6 +43,7 @@ _CONTACTS_TITLE = (
     "found contacts from true ones; bound: what an unbiased estimator could reach; missed, ghosts: true "
     "contacts not found, and found ones that are none, per frame"
 )
+TWIN_TITLE = "calibrated twin (medians over labelled places)"
 NETWORKS_TITLE = "what the networks are worth"
 _METRICS_TITLE = (
     "force maps of held-out presses, by the paper's metrics. similarity (A_sim): 1 where the maps agree; "
@@ -78,7 +79,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
-        ("networks", "calibrated twin (medians over labelled places)", _calibration),
+        ("networks", TWIN_TITLE, _calibration),
         ("metrics", NETWORKS_TITLE, _networks_in_short),
         ("metrics", _METRICS_TITLE, _metrics),
         (
@@ -94,7 +95,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
             "labels of travel, held-out presses (force: between low and high times)",
             _travel,
         ),
-        ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
+        ("inversion", TWIN_TITLE, _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
         ("contact_metrics", _CONTACTS_TITLE, _contacts),
         ("contact_metrics", "contacts found by simple readings", _simple_contacts),

@@ -131,8 +131,9 @@ def nothing_better(
         raise InputError(_describe_nothing(kept))
     verdict = (
         f"Nothing better was found in {limit.searching_s - limit.left_s:.0f} s of search: of "
-        f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}). Give "
-        f"search.seconds = {2 * limit.seconds:g} or more, or raise search.trials, and go on with --resume"
+        f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}), "
+        f"which is best.toml, unchanged. Go on with --resume --set search.seconds={2 * limit.seconds:g} or "
+        "more, or raise search.trials"
     )
     best = write(spec, "The layout that the search began with: nothing better was found", spec.name)
     return {

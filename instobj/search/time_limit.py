@@ -95,7 +95,7 @@ class TimeLimit:
         whole_s = lowest_s + _CHAINS * chain_s
         if max(lowest_s / TRIALS_SHARE, 2 * whole_s) <= (1 - _PAGE_SHARE) * self.seconds:
             return text
-        give = f"give about {self.enough_s(lowest_s, chain_s):g}"
+        give = f"give --set search.seconds={self.enough_s(lowest_s, chain_s):g}"
         if whole_s > _QUICKER * self.searching_s:
             raise InputError(
                 f"search.seconds = {self.seconds:g} ends before a search has a result: {text}, and "
@@ -142,7 +142,7 @@ class TimeLimit:
             again_s = enough_s if enough_s > self.seconds else 2 * self.seconds
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
-                f"was a result.{first_look()} Go on with --resume and search.seconds = {again_s:g}, "
+                f"was a result.{first_look()} Go on with --resume --set search.seconds={again_s:g}, "
                 "all other options as before"
             ) from None
         finally:

@@ -107,8 +107,14 @@ def best_in_words(search: SearchSpec, promotion: Promotion) -> str:
     if promotion.better:
         return f"{best}, better than the start at the highest fidelity level: {promotion.gains}"
     if best_known(search, promotion) is promotion.start:
-        return f"your own layout, as nothing that was found is better. {best}: {promotion.gains}"
-    return f"{best}, not known to be better than the start: {promotion.gains}"
+        return (
+            "your own layout, unchanged, as nothing that was found is better. The best one found, "
+            f"{best}: {promotion.gains}"
+        )
+    return (
+        f"{best}, ahead of your own layout but not confirmed to be better, so search on before you build it: "
+        f"{promotion.gains}"
+    )
 
 
 def excess(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> dict[str, float]:

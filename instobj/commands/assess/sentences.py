@@ -85,6 +85,10 @@ def sentences(groups: list[Group], differences: dict[str, list[Difference]]) -> 
         title = measure_of(name).title
         texts += [f"{group.name}: {title} {median_text(group, name)}." for group in groups]
         texts += [difference_text(pair, name) for pair in pairs]
+    if "peak_n" in differences:
+        texts.append(
+            "Peak force is the sum over all jaws: of two equal ones each presses with half of it."
+        )
     return texts
 
 

@@ -153,7 +153,8 @@ def _require_object_of(
                 f"--spec {path} is of another object: the network of face {face} reads {sensors} sensors on "
                 f"faces {sorted(read_faces)} and places on a grid of {len(of_model[0])} × "
                 f"{len(of_model[1])} from ({of_model[0][0]:g}, {of_model[1][0]:g}) mm on. Give the "
-                "specification of the object that was recorded"
+                "specification of the object that was recorded. If this is it, recordings were read without "
+                f"it: `instobj recordings FILES --spec {path}`, and train on that data set"
             )
 
 

@@ -223,7 +223,7 @@ def changes_of(spec: ObjectSpec) -> dict[str, Change]:
 
 
 _CHANGES: dict[str, Change] = {
-    "averages of four frames in your own program (sensors.noise_counts halved, a quarter of the rate)": _quieter,
+    "mean of four frames in your own program (sensors.noise_counts halved, a quarter of the rate)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
     f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,

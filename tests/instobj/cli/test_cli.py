@@ -254,7 +254,7 @@ def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, 
     assert_one_clear_error(run(*words.split(), cwd=tmp_path), told)
 
 
-@pytest.mark.parametrize("option", ["--seed", "collect --force", "train --start"])
+@pytest.mark.parametrize("option", ["--seed", "build --mjcf", "collect --force", "train --start"])
 def test_an_option_that_went_says_what_to_write(option, tmp_path):
     """Options that went from one command alone are asked of that one."""
     command, _, name = option.rpartition(" ")

@@ -58,6 +58,7 @@ def test_the_gentle_gripper_is_ranked_first_in_a_sentence(ranked):
         text.startswith("gentle has a lower peak force than rough: by")
         for text in document["texts"]
     )
+    assert any("Peak force is the sum over all jaws" in text for text in document["texts"])
     assert document["exchanged"] <= 0.08
 
 

@@ -7,7 +7,14 @@ import pytest
 from typer.main import get_command
 
 from instobj.cli.app import app
-from instobj.commands.next_step import NEXT, next_step, verdict_step
+from instobj.commands.next_step import (
+    NEXT,
+    assessing_text,
+    next_step,
+    training_step,
+    verdict_step,
+)
+from instobj.report.summary import TWIN_TITLE
 
 PATHS = (Path("a folder/my box.toml"), Path("recording.csv"))
 
@@ -62,3 +69,21 @@ def test_what_a_search_left_behind_is_not_searched_again(tmp_path):
     assert verdict_step("run", [path], Path(), [], document).startswith("instobj optimize ")
     (tmp_path / "search.json").write_text("{}")
     assert verdict_step("run", [path], Path(), [], document) == "instobj docs layout_search"
+
+
+@pytest.mark.parametrize(
+    ("file", "helps", "following"),
+    [
+        ("contacts.nc", ["no: measure", "yes"], "predict runs/a/contacts.nc frames.nc"),
+        ("contacts.nc", ["no: measure"], "train frames.nc"),
+        ("face_1.safetensors", ["yes: as drawn"], "train --export runs/a"),
+        ("face_1.safetensors", ["no: train", "not used: few"], "train frames.nc"),
+        ("face_1.safetensors", [], "train --export runs/a"),
+    ],
+)
+def test_training_goes_on_as_its_twin_s_verdict_says(file, helps, following):
+    """A twin that helped on no face was followed by `predict`."""
+    summary = {TWIN_TITLE: [{"helps": text} for text in helps]} if helps else {}
+    document = {"summary": summary, "files": [{"path": f"runs/a/{file}"}]}
+    assert training_step(Path("frames.nc"), document, Path(), []) == f"instobj {following}"
+    assert ("--spec SPEC.toml" in assessing_text(document)) == (file != "contacts.nc")

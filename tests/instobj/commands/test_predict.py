@@ -23,6 +23,7 @@ from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
+from instobj.commands.assess.tracks import load_estimators
 from instobj.commands.predict import export_models, predict_file, predict_port
 from instobj.commands.readings import (
     SILENT_FRAMES,
@@ -263,6 +264,16 @@ def test_a_model_of_another_object_is_refused(folder, tmp_path, changes, words):
     with pytest.raises(InputError, match=words):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)
     assert not (tmp_path / "runs").exists()
+
+
+def test_networks_on_another_grid_than_the_specification_name_the_step_that_helps(folder, tmp_path):
+    """Networks of recordings that were read without --spec were refused without a word on it."""
+    spec = tmp_path / "cube.toml"
+    spec.write_text('name = "cube"\ncontact_grid.count = [4, 4]\n')
+    with pytest.raises(
+        InputError, match=r"`instobj recordings FILES --spec .*cube\.toml`, and train"
+    ):
+        load_estimators(folder / "face_3.safetensors", spec)
 
 
 def test_evaluation_refuses_a_model_of_another_object(folder):

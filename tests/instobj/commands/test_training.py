@@ -1,6 +1,7 @@
 """Recordings read with the specification of their object, and what a training tells of them."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.splits import split_presses
-from instobj.commands.training import data_parts, models_of_object
+from instobj.commands.training import data_parts, models_of_object, read_recordings
 from tests.support.recordings.pressed_frames import made_frames
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -74,3 +75,20 @@ def test_parts_of_a_data_set_are_told_by_what_they_are_used_for():
     for row, lost in zip(rows, (2, 0, 0), strict=True):
         assert row["frames pressed"] == 5 * row["presses"] - lost
         assert row["at rest"] == 3 * row["presses"]
+
+
+def test_a_recording_read_without_its_specification_says_what_needs_one(tmp_path, monkeypatch):
+    """`assess --spec` refused networks of such a data set, and no step named the option before."""
+    monkeypatch.chdir(tmp_path)
+    rows = ["time_s,F1-X1,F1-Y1,F1-Z1,cell1_force_n,cell1_face,cell1_x1_mm,cell1_y1_mm"]
+    rows += [f"{k / 10},{1000 + k % 3},{500 - k % 2},{-300 + k % 2},0.0,,," for k in range(10)]
+    rows += [f"{1 + k / 10},{1045 + k},{478 - k},{-210 + k},1.0,1,3.0,-1.5" for k in range(5)]
+    rows += [f"{1.5 + k / 10},{1000 + k % 3},500,-300,0.0,,," for k in range(5)]
+    (tmp_path / "press.csv").write_text("\n".join(rows) + "\n")
+    (tmp_path / "cube.toml").write_text('name = "cube"\n')
+    without, described = (
+        read_recordings([Path("press.csv")], tmp_path, spec)["texts"]
+        for spec in (None, Path("cube.toml"))
+    )
+    assert any("add --spec SPEC.toml to `assess` grasps" in text for text in without)
+    assert not any("--spec" in text for text in described)

@@ -188,7 +188,7 @@ def test_too_little_time_is_refused_and_leaves_nothing_to_resume(tmp_path, monke
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     for _ in range(2):
         with pytest.raises(
-            InputError, match=r"search\.seconds = 20 ends before .* give about \d+$"
+            InputError, match=r"search\.seconds = 20 ends before .* give --set search\.seconds=\d+$"
         ):
             optimize(path, tmp_path, ["search.seconds=20"], False)
     assert not list((tmp_path / "runs").glob("**/trials.jsonl"))

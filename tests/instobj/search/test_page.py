@@ -115,7 +115,7 @@ def test_the_page_says_where_best_toml_is_your_own_layout(tmp_path, results, mon
     path = write_search_page(spec, promotion, made_up_history(), layouts, results, tmp_path, print)
     page_text = read(path.read_text(encoding="utf-8"))
     assert (
-        "best.toml is your own layout; trial 7 <b>, the best one found, is shown here to compare"
+        "best.toml is your own layout, unchanged; trial 7 <b>, the best one found, is shown here to compare"
         in page_text
     )
 

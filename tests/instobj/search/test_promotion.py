@@ -75,7 +75,10 @@ def test_the_best_known_layout_is_the_start_where_what_was_found_costs_more_than
     promotion = Promotion(start, (best,), (best,), {}, SURE, {}, against, (1, 1))
     assert (best_known(spec.search, promotion) is start) == is_start
     words = best_in_words(spec.search, promotion)
-    assert words.startswith("your own layout" if is_start else "trial 3, better")
+    assert words.startswith("your own layout, unchanged" if is_start else "trial 3, better")
+    unsure = replace(promotion, objections=("limits are exceeded",))
+    words = best_in_words(spec.search, unsure)
+    assert ("trial 3, ahead of your own layout but not confirmed to be better" in words) != is_start
 
 
 def box_sharp_in_its_middle(blind_mm, middle_mm):

@@ -70,19 +70,21 @@ def test_mechanics_that_the_time_will_not_hold_are_announced():
     assert "about 3 min of one free core" in held
     assert "search.seconds" not in held
     few = TimeLimit(638).mechanics_plan(180.0, 60.0)
-    assert "likely to hold mechanics, but few trials: give about 700." in few
+    assert "likely to hold mechanics, but few trials: give --set search.seconds=700." in few
     assert "few trials" in TimeLimit(320).mechanics_plan(180.0, 60.0)
     none = TimeLimit(319).mechanics_plan(180.0, 60.0)
     assert "not even the mechanics" in none
     assert "--resume" in none
-    assert "give about 1300" in TimeLimit(400).mechanics_plan(450.0, 60.0)
+    assert "give --set search.seconds=1300" in TimeLimit(400).mechanics_plan(450.0, 60.0)
     assert "about 50 s of one" in TimeLimit(40).mechanics_plan(50.0, 0.0)
 
 
 def test_time_that_holds_no_result_were_all_twice_as_quick_is_refused_with_what_is_needed():
     """180 s of mechanics and twice 60 s of the chain, in 94 % of the time."""
     assert "not even the mechanics" in TimeLimit(160).mechanics_plan(180.0, 60.0)
-    with pytest.raises(InputError, match=r"about 3 min.*2 × 60 s for the chain.*give about 700$"):
+    with pytest.raises(
+        InputError, match=r"about 3 min.*2 × 60 s for the chain.* --set search\.seconds=700$"
+    ):
         TimeLimit(159).mechanics_plan(180.0, 60.0)
 
 
@@ -99,7 +101,7 @@ def test_after_mechanics_were_made_no_more_is_asked_for_than_was_said():
     limit = TimeLimit(0.01)
     assert limit.enough_s(300.0, 60.0) == 900
     with (
-        pytest.raises(InputError, match=r"search\.seconds = 900, all"),
+        pytest.raises(InputError, match=r"search\.seconds=900, all"),
         limit.enforced(enough_s=900),
     ):
         time.sleep(5)
@@ -260,7 +262,8 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         assert load_spec(path).magnets == spec.magnets, "the best so far is the start"
         assert document["verdict"].startswith("Nothing better was found in 0 s of search")
         assert (
-            "your own layout (trial 0). Give search.seconds = 1800 or more" in document["verdict"]
+            "your own layout (trial 0), which is best.toml, unchanged. Go on with --resume --set "
+            "search.seconds=1800 or more" in document["verdict"]
         )
         assert len(document["tables"]) == 1
         assert not document["better"]
