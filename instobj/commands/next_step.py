@@ -106,7 +106,7 @@ def training_step(source: Path, document: dict[str, Any], out: Path, overrides: 
     from instobj.report.summary import TWIN_TITLE  # loads mechanics
 
     paths, contacts = _estimator_paths(document)
-    twins = document["summary"].get(TWIN_TITLE, [])
+    twins = document.get("summary", {}).get(TWIN_TITLE, [])
     if twins and not any(row["helps"].startswith("yes") for row in twins):
         return next_step("train without twin", source, out=out)
     if contacts is None:

@@ -206,9 +206,10 @@ def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[st
     """Write the parts and the assembly sheet of each specification, and say what comes next."""
     from design.wiring.bus_plan import first_plan
 
-    for path in specs:
-        _warn_of_no_go(load_spec(path, overrides))
+    no_goes = [path for path in specs if _warn_of_no_go(load_spec(path, overrides))]
     document = run_chain(specs, ("sheet",), out, overrides)
+    if no_goes:
+        return document | {"next": _no_go_step(no_goes[0], out, overrides)}
     spec = load_spec(specs[0], overrides)
     # parts of an object that was not scored may not be worth casting
     ready = Run(spec).stored("scores") is not None and first_plan(spec) is not None
@@ -311,8 +312,18 @@ def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
     run.progress.say(f"{name}: {line}. By the design; objects built within tolerances follow")
 
 
-def _warn_of_no_go(spec: ObjectSpec) -> None:
-    """Warn where stored scores say that an object to be built is not good enough."""
+def _no_go_step(path: Path, out: Path, overrides: list[str]) -> str:
+    """Return the next step of an object that is built though its scores say NO-GO: what to change, or a
+    search where that was said."""
+    from instobj.report.cells import NO_GO
+
+    changes_known = Run(load_spec(path, overrides)).stored("alternatives") is not None
+    judged = {"objects": [{"summary": {"verdict": {NO_GO: ""}}}]}
+    return verdict_step("run" if changes_known else "score", [path], out, overrides, judged)
+
+
+def _warn_of_no_go(spec: ObjectSpec) -> bool:
+    """Warn where stored scores say that an object to be built is not good enough; return whether they do."""
     from instobj.report.cells import NO_GO
     from instobj.report.remedies import DESIGN_STAGES
 
@@ -321,6 +332,8 @@ def _warn_of_no_go(spec: ObjectSpec) -> None:
         name, line = _verdict_of_design(run)
         if name == NO_GO:
             warnings.warn(f"{spec.name} was scored {name}: {line}", stacklevel=2)
+            return True
+    return False
 
 
 def _verdict_of_design(run: Run) -> tuple[str, str]:

@@ -195,7 +195,7 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         GO if verdict.go else NO_GO: (
             f"{good} for the use {spec.limits.use!r}{failed}; {located_text(spec, scores)}"
         ),
-        "judged on": f"{verdict.covered:.0%} of the sensed surface; {built}",
+        "judged on": f"{verdict.covered:.0%} of the sensed surface, by {_tip_text(spec)}; {built}",
         "limited by": verdict.limited_by,
         "edges": edge_text(edges := WEAK_AREAS.read(results["weak_areas"].folder)),
     }
@@ -207,6 +207,14 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         )
     lines["edges"] += worst_edge_text(spec, scores, edges)
     return lines
+
+
+def _tip_text(spec: ObjectSpec) -> str:
+    """Return what presses, and where it is said which figures hold for other pads and jaws."""
+    tip = spec.indenter
+    ball = f"a tip of {tip.radius_mm:g} mm radius"
+    pressed = ball if tip.kind == "hemisphere" else f"the indenter ({tip.kind})"
+    return f"{pressed} (pads and jaws: instobj docs start)"
 
 
 def _above(ratio: float) -> str:

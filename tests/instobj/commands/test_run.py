@@ -35,6 +35,8 @@ def test_parts_of_an_object_that_was_scored_a_no_go_are_written_with_a_warning(
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     lend_mechanics(tmp_path / "store")
 
+    steps = []
+
     def warned_of(position_bound_mm, scored=True):
         limits = [f"limits.position_bound_mm={position_bound_mm}", "limits.detectable_force_n=50"]
         changes = ['name="tiny"', *CHANGES, *limits]
@@ -42,13 +44,19 @@ def test_parts_of_an_object_that_was_scored_a_no_go_are_written_with_a_warning(
             chain = Run(load_spec(SMALL_CUBE, changes))
             for stage in DESIGN_STAGES:
                 chain.require(stage)
-        build_objects([SMALL_CUBE], tmp_path, changes)
+        steps.append(build_objects([SMALL_CUBE], tmp_path, changes)["next"])
         return [str(w.message) for w in recwarn if "scored" in str(w.message)]
 
     assert not warned_of(0.001, scored=False)
     assert not warned_of(50.0)
     (text,) = warned_of(0.001)
     assert text.startswith("tiny was scored NO-GO: not good enough for the use 'grasp'")
+    # firmware was the next step of an object that is not good enough
+    assert [step.split()[1:3] for step in steps] == [
+        ["score", str(SMALL_CUBE)],
+        ["bench", "firmware"],
+        ["run", "--to"],
+    ]
 
 
 @pytest.mark.parametrize("source", ["recorded", "simulated"])

@@ -107,7 +107,7 @@ def test_after_mechanics_were_made_no_more_is_asked_for_than_was_said():
         time.sleep(5)
     enough = TimeLimit(0.5)
     with (
-        pytest.raises(InputError, match=r"search\.seconds = 1, all"),
+        pytest.raises(InputError, match=r"search\.seconds=1, all"),
         enough.enforced(enough_s=0.4),
     ):
         time.sleep(5)
