@@ -80,6 +80,11 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         stream = recorded_stream(path)
         number, time_s, best, unread, condition = _read_recording(inversion, stream, zeroing)
         second, texts = None, stream.texts
+        if stream.loaded is not None:
+            texts.append(
+                f"{path.name} has labels: `instobj recordings {path} --spec SPEC.toml` makes a data set "
+                "of it, whose contacts `predict` judges against them"
+            )
     rows = _rows(inversion, number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     if mcap is not None:

@@ -135,7 +135,10 @@ def predict_file(
         else:
             judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
         texts += _novel_text(path, labels)
-        tables[f"against the labels of {path.name}, frames pressed on face {model.face}"] = judged
+        beside = " beside a simple regression" if len(judged) > 1 else ""
+        tables[
+            f"against the labels of {path.name}{beside}, frames pressed on face {model.face}"
+        ] = judged
     return {
         "command": "predict",
         "texts": texts,
@@ -154,9 +157,18 @@ class _PressedLabels:
 
     def held(self, novel: bool | None = None) -> Bool[np.ndarray, "some"]:
         """Return whether each force lies in its interval; of novel frames, of the others, or of all."""
-        low, high = (self.column(name) for name in ("force_low_n", "force_high_n"))
-        held = (low <= self.force_n) & (self.force_n <= high)
-        return held if novel is None else held[(self.column("novelty") > NOVEL_FROM) == novel]
+        low_n, high_n = (self.column(name) for name in ("force_low_n", "force_high_n"))
+        held = (low_n <= self.force_n) & (self.force_n <= high_n)
+        return held if novel is None else held[self.are_novel == novel]
+
+    def widths_n(self, novel: bool) -> Float[np.ndarray, "some"]:
+        """Return the widths of the intervals of novel frames, or of the others."""
+        widths_n = self.column("force_high_n") - self.column("force_low_n")
+        return widths_n[self.are_novel == novel]
+
+    @property
+    def are_novel(self) -> Bool[np.ndarray, "row"]:
+        return self.column("novelty") > NOVEL_FROM
 
     def column(self, name: str) -> Float[np.ndarray, "row"]:
         return np.array([row[name] for row in self.rows])
@@ -195,13 +207,17 @@ def _measured_cover(labels: _PressedLabels | None, face: int) -> dict[str, Any]:
 
 def _novel_text(path: Path, labels: _PressedLabels) -> list[str]:
     """Say how far intervals held in pressed frames that nothing explains; nothing without such frames."""
-    novel, usual = labels.held(novel=True), labels.held(novel=False)
-    if not len(novel):
-        return []
-    others = f", and {usual.mean():.0%} of the {len(usual)} others" if len(usual) else ""
+    parts = list[str]()
+    for novel, what in ((True, "pressed frames that nothing explains"), (False, "others")):
+        held = labels.held(novel)
+        if novel and not len(held):
+            return []
+        if len(held):
+            width_n = np.median(labels.widths_n(novel)) / 2
+            parts.append(f"{held.mean():.0%} of the {len(held)} {what} (± {width_n:.2g} N)")
     return [
-        f"{path.name}: by its labels the force interval held {novel.mean():.0%} of the {len(novel)} pressed "
-        f"frames that nothing explains{others}. Where no labels show it, do not believe such frames"
+        f"{path.name}: by its labels the force interval held in {' and in '.join(parts)}, widths as medians. "
+        "An interval may hold because it is wide: believe no closer force than it says"
     ]
 
 
@@ -254,10 +270,7 @@ def _simple_rows(
         answers = simple_answers(load_frames(training), wide.select(chosen), *of_model)
     except InputError:  # the data set in the folder is of another object or face
         return []
-    rows = [
-        _errors_row(f"{answer.name}, simple", judged, answer.force_n, answer.xy_mm)
-        for answer in answers
-    ]
+    rows = [_errors_row(answer.name, judged, answer.force_n, answer.xy_mm) for answer in answers]
     return [min(rows, key=lambda row: row["force error, median N"])]
 
 

@@ -101,7 +101,8 @@ def test_a_slipped_core_is_named(folder, tmp_path):
 
 def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):
     arguments = ["predict", folder / "contacts.nc", folder / "grasp.csv", "--zero", "first"]
-    told([*arguments, "--out", tmp_path])
+    document = told([*arguments, "--out", tmp_path])
+    assert any("makes a data set of it, whose contacts" in text for text in document["texts"])
     with (tmp_path / "runs" / "grasp" / "contacts.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert rows[0]["frame"] == "8"
