@@ -76,7 +76,7 @@ def softer_silicones(
     modulus_mpa: float, least_mpa: float, cure: str
 ) -> tuple[list[Silicone], list[Silicone]]:
     """Return the casting silicones of a cure that are surely softer than one of this modulus, which is
-    `least_mpa` at least, and those that may be; each the firmest first.
+    `least_mpa` at least, and the ones that may be; each the firmest first.
 
     Sources differ by more than neighbours in the catalogue do: of two moduli whose intervals overlap nobody
     knows which is the lower one.

@@ -72,7 +72,7 @@ def predict_file(
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out, and
     so are, counted, frames that lack a reading of a channel which gives readings elsewhere, or have one that
-    checks do not believe. Where the file has labels, errors of force and place are given, beside those of a
+    checks do not believe. Where the file has labels, errors of force and place are given, with those of a
     simple regression where the model's training data set lies in its folder.
 
     Raises
@@ -135,10 +135,10 @@ def predict_file(
         else:
             judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
         texts += _novel_text(path, labels)
-        beside = " beside a simple regression" if len(judged) > 1 else ""
-        tables[
-            f"against the labels of {path.name}{beside}, frames pressed on face {model.face}"
-        ] = judged
+        rival = " beside a simple regression" if len(judged) > 1 else ""
+        tables[f"against the labels of {path.name}{rival}, frames pressed on face {model.face}"] = (
+            judged
+        )
     return {
         "command": "predict",
         "texts": texts,
