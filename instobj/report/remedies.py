@@ -244,7 +244,9 @@ def decision(candidates: list[Remedy], go: bool, further: str = "") -> str:
     if isfinite(first.ratio):
         helps += f"; the worst figure is then still {_above(first.ratio)} its limit"
         if _distance(nearest) < _distance(first):
-            helps += f" ({_above(nearest.ratio)} with {_joined(nearest.changes)})"
+            # what a change does in brackets was said of the first one
+            names = tuple(name.split(" (")[0] for name in nearest.changes)
+            helps += f" ({_above(nearest.ratio)} with {_joined(names)})"
     else:
         helps += (
             f"; the weakest position bound is then {first.bound_mm:.2g} mm, and "

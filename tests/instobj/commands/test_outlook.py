@@ -116,6 +116,21 @@ def test_more_magnets_are_named_only_where_a_number_was_asked_for():
     assert "--magnets" not in parts_that_help(request, spec, score)
 
 
+@pytest.mark.slow
+def test_a_softer_silicone_is_advised_only_where_it_carries_the_force(big):
+    """`new` advised one, and `score` a firmer one for the same object."""
+    request, tables = big
+    spec = spec_of(tables)
+    light, heavy = (
+        parts_that_help(
+            request, spec.changed(score={"force_n": force_n}), FirstScore(0.9, 3.0, 0.99)
+        )
+        for force_n in (0.5, 50.0)
+    )
+    assert "Take a smaller body or raise limits.position_bound_mm" in heavy
+    assert "smaller body, a softer silicone (silicone.name = 'Ecoflex 00-30') or raise" in light
+
+
 def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
     request, tables = big
     assert parts_that_help(request, spec_of(tables), FirstScore(0.1, 0.2, 1.0)) == ""
