@@ -11,11 +11,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
-from design.body.castable import castable_body, even_directions
+from design.body.castable import castable_body, even_directions, without_noise
 from design.body.imported import body_of_file, read_surface
 from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
@@ -30,6 +31,9 @@ from design.placement.objects import (
     bare_tables,
     spec_of,
 )
+
+if TYPE_CHECKING:
+    import trimesh
 
 _AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
 _MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
@@ -90,44 +94,58 @@ def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Floa
 
 
 def castable_request(request: Request, target: Path) -> tuple[Request, str]:
-    """Return the request for the scan's `castable_body`, written to `target`, and what was done in words.
+    """Return the request for the scan made castable, written to `target`, and what was done in words.
 
-    The request itself and "" where silicone gives way by what some seam about z hooks.
+    Its noise is smoothed (`without_noise`); then it becomes its `castable_body` where silicone does not give
+    way by what the best seam about z hooks. The request itself and "" where neither is needed.
 
     Raises
     ------
     SpecError
         No seam lets the body go, and its hollows are too deep to be filled.
     """
-    needed_mm = _needed_mm(request)
-    if needed_mm <= _THICKEST_MM:
+    if not KINDS[request.kind].from_file:
         return request, ""
     file = dict(request.file)
-    castable = castable_body(read_surface(file["file"], file["scale"]))
+    smooth, moved_mm = without_noise(read_surface(file["file"], file["scale"]))
+    noisy = ""
+    if moved_mm:
+        noisy = f"the scan is noisy, and smoothing moves its corners by up to {moved_mm:.2g} mm"
+        request = _request_of(request, smooth, target)
+    needed_mm = _needed_mm(request)
+    if needed_mm <= _THICKEST_MM:
+        return request, noisy and f"{noisy}: {target} is designed instead"
+    castable = castable_body(smooth)
     x, y, z = castable.surface.extents
     farthest_mm, median_mm = castable.off_mm
-    hooked = (
+    hooked = (noisy and f"{noisy}; ") + (
         f"halves of a mould would hook this body by {needed_mm * COMPLIANCE_FRACTION / _SPARE:.2g} mm, and "
         f"{_THICKEST_MM:g} mm of silicone give way by {_THICKEST_MM * COMPLIANCE_FRACTION:.2g} mm"
     )
     if farthest_mm > _MOST_OFF * min(x, y, z):
+        target.unlink(missing_ok=True)
         raise SpecError(
             f"{hooked}. With its hollows filled it would be another body, up to {farthest_mm:.2g} mm off the "
             "scan. Moulds of more than two halves are not made. Take a simple body of that size, as "
             f"--kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
             "the file"
         )
-    with atomic_path(target) as path:
-        castable.surface.export(path, file_type="stl")
     text = (
         f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
         f"whose sides are mirror images. With its hollows filled it is up to {farthest_mm:.2g} mm off the "
-        f"scan, half of it within {median_mm:.2g} mm; then its sides were moved by up to "
-        f"{castable.evened_mm:.2g} mm"
+        f"{'smoothed ' if noisy else ''}scan, half of it within {median_mm:.2g} mm; then its sides were "
+        f"moved by up to {castable.evened_mm:.2g} mm"
     )
+    return _request_of(request, castable.surface, target), text
+
+
+def _request_of(request: Request, surface: trimesh.Trimesh, target: Path) -> Request:
+    """Return the request for a surface, which is written to `target`."""
+    with atomic_path(target) as path:
+        surface.export(path, file_type="stl")
     read = body_of_file(target)
     size_mm = tuple(read["size_mm"])
-    return replace(request, size_mm=size_mm, file=(("file", read["file"]), ("scale", 1.0))), text
+    return replace(request, size_mm=size_mm, file=(("file", read["file"]), ("scale", 1.0)))
 
 
 def shell_variants_of(request: Request) -> tuple[ShellVariant, ...]:

@@ -118,11 +118,11 @@ def test_a_recording_that_was_written_trains_an_estimator(run_script):
     assert found["metrics"].location_error_px < 2
 
 
-def test_a_body_from_triangles_passes_its_checks(run_script):
-    found = run_script(7)
-    assert (found["found"].magnets, found["found"].sensors) == (12, 12)
-    edges = found["shown"]["body"][:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 6).round(6)
-    assert np.array_equal(np.unique(edges, axis=0), np.unique(np.roll(edges, 3, axis=1), axis=0))
+def test_a_scan_becomes_parts_a_map_and_a_price(run_script):
+    scan = run_script(7)
+    assert {"core", "shell"} <= {part.name for part in scan["parts"]}
+    assert np.all(scan["bound"] > 0)
+    assert 20 < scan["price_eur"] < 1000
 
 
 def test_the_scanned_magnet_has_the_polarization_that_another_code_fits(run_script):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from design.body.castable import noise_mm
 from design.body.kinds.registry import KINDS
 from design.errors import InputError, InstobjError
 from design.fabrication.check import Checked, check_fabrication
@@ -521,6 +522,26 @@ def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
     path.unlink()
     with pytest.raises(InputError, match=r"mine_castable\.stl is already there"):
         new_specification("mine", tmp_path, request, placed)
+
+
+def test_a_noisy_scan_is_designed_smooth(tmp_path):
+    """By its corners, 0.1 mm off along their normals; the file stays as it is."""
+    scan = trimesh.load_mesh(PEAR)
+    scan.vertices += scan.vertex_normals * np.random.default_rng(2).normal(0, 0.1, (2562, 1))
+    scan.export(tmp_path / "scan.stl")
+    written = (tmp_path / "scan.stl").read_bytes()
+    asked = []
+
+    def placed(request):
+        asked.append(request)
+        return placed_tables("box") | {"body": {"kind": "box", "size_mm": [50.0, 50.0, 50.0]}}, []
+
+    with pytest.warns(UserWarning, match=r"moves its corners by up to 0\.3.* is designed instead"):
+        new_specification("mine", tmp_path, request_of(file=tmp_path / "scan.stl"), placed)
+    castable = tmp_path / "mine_castable.stl"
+    assert [dict(request.file)["file"] for request in asked] == [str(castable)]
+    assert noise_mm(trimesh.load_mesh(castable)) < 0.01
+    assert (tmp_path / "scan.stl").read_bytes() == written
 
 
 def test_a_scan_with_deep_hollows_is_refused_with_what_works(tmp_path):
