@@ -34,7 +34,7 @@ from estimator.calibration.twin.pressed_places import invalidate_hard_presses, p
 from estimator.frames.press_protocol import PLACE_ID_STRIDE, disturbed, simulated_frames
 from estimator.grasps.balance import net_wrench
 from estimator.grasps.damage import DamageLimit
-from estimator.grasps.measures import MeasuredGrasp, measured_grasps
+from estimator.grasps.measures import MeasuredGrasp, conditions_of, measured_grasps
 from estimator.grasps.ranking import compare
 from estimator.grasps.track import ContactTrack, placed_contacts, track_of_sets
 from estimator.inversion.inversion import Inversion
@@ -49,7 +49,6 @@ from fem.linear.response import ResponseOperator, build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.joint import Tip, press_path, refined_faces
 from fem.presses.to_force import squeeze_path
-from instobj.commands.assess.command import conditions_of
 from instobj.stages.run import Run
 from instobj.store.readers import PRESSES
 

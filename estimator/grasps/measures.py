@@ -12,6 +12,8 @@ from jaxtyping import Float, Int
 from scipy.stats import norm
 
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
+from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
 from estimator.grasps.balance import (
     asymmetry,
@@ -82,6 +84,13 @@ class Conditions:
     motion: RecordedMotion | None = None
 
 
+def conditions_of(spec: ObjectSpec) -> Conditions:
+    """Return faces, skin and tips of a specification; the tip of its indenter presses."""
+    radius = spec.indenter.radius_mm
+    skin = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
+    return Conditions({frame.number: frame for frame in face_frames(spec)}, skin, radius)
+
+
 @dataclass(frozen=True)
 class Reading:
     """A figure with its 90 % interval; NaN ends where the estimator gives none."""
@@ -121,10 +130,13 @@ class MeasuredGrasp:
 def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[MeasuredGrasp]:
     """Measure every grasp of a track; none where nothing was grasped."""
     grasps = find_grasps(track.time_s, track.total_n)
-    return [_measured(track, grasp, conditions) for grasp in grasps]
+    return [measured_grasp(track, grasp, conditions) for grasp in grasps]
 
 
-def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
+def measured_grasp(
+    track: ContactTrack, grasp: Grasp, conditions: Conditions
+) -> MeasuredGrasp:
+    """Measure one grasp of a track; its number is the seed of what is drawn for intervals."""
     part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
     closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
     rng = np.random.default_rng(grasp.number)

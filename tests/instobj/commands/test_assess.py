@@ -17,7 +17,7 @@ from estimator.grasps.track import ContactTrack, track_of_labels
 from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
-from instobj.commands.assess.command import conditions_of
+from estimator.grasps.measures import conditions_of
 from instobj.commands.assess.tracks import unexplained_share
 from instobj.viewer.archive import unpack
 from tests.support.browser import Browser, chromium
