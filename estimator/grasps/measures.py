@@ -29,8 +29,6 @@ from estimator.grasps.damage import (
     DamageLimit,
     Sphere,
     damage_probability,
-    energy_mj,
-    patch_radius_mm,
 )
 from estimator.grasps.holding import (
     common_onset_s,
@@ -41,6 +39,7 @@ from estimator.grasps.holding import (
     unsteadiness,
 )
 from estimator.grasps.phases import Grasp, find_grasps
+from estimator.grasps.skin import Skin
 from estimator.grasps.track import ContactTrack, Placed, placed_contacts, variance_of_mean
 from estimator.grasps.wrench_space import (
     closing_friction,
@@ -50,6 +49,7 @@ from estimator.grasps.wrench_space import (
 )
 
 if TYPE_CHECKING:
+    from estimator.inversion.model.table import PressTable
     from estimator.recordings.attitude import RecordedMotion
 
 _HALF = float(norm.ppf(0.95))
@@ -67,28 +67,36 @@ class Conditions:
     Attributes
     ----------
     faces : of the object, by number
-    skin : its silicone under the gripper's tip, for Hertz
+    hertz : its silicone and the gripper's tip, for Hertz
     tip_radius_mm : of the gripper's tips
     friction : between gripper and object, assumed
     weight_n : of the object; 0 where it is not known or borne otherwise
     limits : of damage
     motion : of the object by its IMU, on the track's clock; None where it has none
+    presses : depth and contact area of solved presses (`ContactModel.skin`); None for Hertz
     """
 
     faces: Mapping[int, FaceFrame]
-    skin: Sphere
+    hertz: Sphere
     tip_radius_mm: float
     friction: float = 0.5
     weight_n: float = 0.0
     limits: tuple[DamageLimit, ...] = ()
     motion: RecordedMotion | None = None
+    presses: PressTable | None = None
+
+    @property
+    def skin(self) -> Skin:
+        """Return the object's skin under the tips."""
+        return Skin(self.faces, self.hertz, self.presses)
 
 
-def conditions_of(spec: ObjectSpec) -> Conditions:
+def conditions_of(spec: ObjectSpec, presses: PressTable | None = None) -> Conditions:
     """Return faces, skin and tips of a specification; the tip of its indenter presses."""
     radius = spec.indenter.radius_mm
-    skin = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
-    return Conditions({frame.number: frame for frame in face_frames(spec)}, skin, radius)
+    hertz = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
+    faces = {frame.number: frame for frame in face_frames(spec)}
+    return Conditions(faces, hertz, radius, presses=presses)
 
 
 @dataclass(frozen=True)
@@ -239,10 +247,12 @@ def _draws(contacts: Placed, rng: np.random.Generator, count: int = _DRAWS) -> l
 
 
 def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
-    work = energy_mj(contacts.force_n[:, 2], conditions.skin)
+    skin = conditions.skin
     return {
         "grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts)))),
-        "energy_mj": float(work.sum()),
+        "pressure_mpa": float(skin.pressure_mpa(contacts).max(initial=0.0)),
+        "depth_mm": float(skin.depth_mm(contacts).max(initial=0.0)),
+        "energy_mj": float(skin.energy_mj(contacts).sum()),
     }
 
 
@@ -268,7 +278,7 @@ def _hull_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
 
 
 def _patch_mm(conditions: Conditions, contacts: Placed) -> float:
-    return float(patch_radius_mm(contacts.force_n[:, 2], conditions.skin).mean())
+    return float(conditions.skin.patch_radius_mm(contacts).mean())
 
 
 def _balance_chance(

@@ -18,6 +18,7 @@ from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.condition import FINE, Condition
+from estimator.inversion.model.table import PressTable
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 LeftOut = Bool[np.ndarray, "face sensor 3"]
@@ -47,11 +48,13 @@ class Estimator(Protocol):
     method : inversion or networks
     needs_every_frame : whether it must see all frames in their order, or may skip some
     channels : the ones that it reads
+    presses : depth and contact area of solved presses; None where its file has none
     """
 
     method: str
     needs_every_frame: bool
     channels: tuple[Channel, ...]
+    presses: PressTable | None
 
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
@@ -78,6 +81,7 @@ class InvertedContacts:
     def __init__(self, spec: ObjectSpec, reader: LiveContacts) -> None:
         self._spec, self._reader = spec, reader
         self.channels = reader.inversion.channels
+        self.presses = reader.inversion.model.skin
 
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
@@ -116,7 +120,7 @@ class InvertedContacts:
 class FaceContacts:
     """One contact per face at most, by exported estimators of single faces."""
 
-    method, needs_every_frame = "networks", True
+    method, needs_every_frame, presses = "networks", True, None
 
     def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
         self._spec, self._readers = spec, readers

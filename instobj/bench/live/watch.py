@@ -119,7 +119,8 @@ class Watch:
         self._next, self._read_to = 0, 0
         self._rezero_asked = False
         self._sound = SoundReadings()
-        self._conditions = conditions_of(self.spec)
+        presses = None if self.estimator is None else self.estimator.presses
+        self._conditions = conditions_of(self.spec, presses)
         self._growing = GrowingGrasps(self._conditions)
         self._grasps: deque[dict[str, Any]] = deque(maxlen=_SHOWN_GRASPS)
         self._start_zero()

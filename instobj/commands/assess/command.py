@@ -102,8 +102,12 @@ def assess(options: AssessOptions) -> dict[str, Any]:
     require_writable(options.out)
     estimators = load_estimators(options.model, options.spec)
     spec = estimators.spec
+    presses = None if estimators.inversion is None else estimators.inversion.model.skin
     conditions = replace(
-        conditions_of(spec), friction=options.friction, weight_n=options.weight_n, limits=limits
+        conditions_of(spec, presses),
+        friction=options.friction,
+        weight_n=options.weight_n,
+        limits=limits,
     )
     groups = []
     for name, paths in zip(names, files, strict=True):

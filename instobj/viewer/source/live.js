@@ -127,11 +127,14 @@ function listGrasps(body, grasps) {
   const newest = grasps.at(-1)?.grasp ?? 0;
   if (body.dataset.newest === String(newest)) return;
   body.dataset.newest = newest;
-  body.replaceChildren(...grasps.toReversed().map((grasp) => {
-    const line = document.createElement("tr");
+  body.replaceChildren(...grasps.toReversed().flatMap((grasp) => {
+    const [line, answer] = ["tr", "tr"].map((kind) => document.createElement(kind));
     const cells = [grasp.peak_n, grasp.grasp_n, grasp.slip_mm].map((figure) => figure ?? "–");
-    [grasp.grasp, ...cells, grasp.text.replace(/^[^:]*: /, "")].forEach((cell) => line.insertCell().append(String(cell)));
-    return line;
+    [grasp.grasp, ...cells].forEach((cell) => line.insertCell().append(String(cell)));
+    const text = answer.insertCell();
+    text.colSpan = 4;
+    text.append(grasp.text.replace(/^[^:]*: /, ""));
+    return [line, answer];
   }));
 }
 

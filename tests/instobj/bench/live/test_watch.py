@@ -25,7 +25,7 @@ LEVEL = np.arange(45) * 10.0
 class Told:
     """Finds a contact while the first channel is beyond 500 counts."""
 
-    channels = ()
+    channels, presses = (), None
 
     def __init__(self, needs_every_frame):
         self.needs_every_frame, self.seen, self.passed, self.zeroed = needs_every_frame, [], [], 0
