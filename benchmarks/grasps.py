@@ -36,11 +36,10 @@ from estimator.grasps.balance import net_wrench
 from estimator.grasps.damage import DamageLimit
 from estimator.grasps.measures import MeasuredGrasp, conditions_of, measured_grasps
 from estimator.grasps.ranking import compare
+from estimator.grasps.rests import contacts_between_rests
 from estimator.grasps.track import ContactTrack, placed_contacts, track_of_sets
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion, save_inversion
-from estimator.inversion.tracking import Tracker
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import Assembly, counts_of
@@ -75,9 +74,13 @@ _SLIP_MM, _SLIP_MM_PER_S = (1.0, 3.0), (10.0, 40.0)
 _EARTH_T = 50e-6
 _FRUIT = DamageLimit("fruit", "force_n", 7.2, 0.15, "made for this benchmark")
 """Fruit that the harder gripper damages more often than not."""
-_SHAPE = np.concatenate([[0, 0.25, 0.6, 0.9], np.ones(11), [0.4, 0]])
+_REST = 20
+"""Frames at rest before and after a grasp, two seconds each."""
+_SHAPE = np.concatenate(
+    [np.zeros(_REST), [0, 0.25, 0.6, 0.9], np.ones(11), [0.4, 0], np.zeros(_REST)]
+)
 """Force of a grasp over its peak, frame by frame: rest, closing, hold, release, rest."""
-_HELD = (4, 15)
+_HELD = (_REST + 4, _REST + 15)
 
 
 @dataclass(frozen=True)
@@ -250,8 +253,7 @@ def earth_t(rng: np.random.Generator, frames: int) -> np.ndarray:
 
 def track_of(estimator: Inversion, grasp: Grasped) -> ContactTrack:
     """Read every frame in its order."""
-    tracker = Tracker(estimator)
-    sets = ContactSets.joined([tracker.feed(row) for row in grasp.counts])
+    sets, _ = contacts_between_rests(estimator, grasp.counts)
     return track_of_sets(grasp.time_s, sets, estimator.disturbances.force_error)
 
 

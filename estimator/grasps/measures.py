@@ -141,9 +141,7 @@ def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[Measure
     return [measured_grasp(track, grasp, conditions) for grasp in grasps]
 
 
-def measured_grasp(
-    track: ContactTrack, grasp: Grasp, conditions: Conditions
-) -> MeasuredGrasp:
+def measured_grasp(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
     """Measure one grasp of a track; its number is the seed of what is drawn for intervals."""
     part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
     closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))

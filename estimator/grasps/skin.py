@@ -21,12 +21,13 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 class Skin:
     """Silicone of an object under round tips.
 
-    With a table it is that of finite elements: layer on its core, magnets and edges, small strain, no friction,
-    pressed by the specification's indenter alone. Areas are whole cells of the mesh of a face, so that pressures
-    are right within about 10 % from 1 mm of depth on.
+    With a table it is that of finite elements: layer on its core, magnets and edges, small strain, no
+    friction, one tip of the specification's indenter. Areas are whole cells of a face, so that pressures are
+    right within about 10 % from 1 mm of depth on.
 
-    Without a table it is Hertz' half-space. Against tables of two cubes at six places each, 1 to 3 mm deep, its
-    depth at the same force is DEPTH, its pressure PRESSURE and its work WORK.
+    Without a table it is Hertz' half-space. Against tables of two cubes, with shells of 6 and 8 mm, at five
+    and eight places, 1 to 3 mm deep, its depth at a force is 0.8 to 2.4 times theirs, its pressure 0.5 to 1.0
+    times and its work 0.8 to 2.5 times: most over magnets, where the layer is thin, least near edges.
 
     Attributes
     ----------

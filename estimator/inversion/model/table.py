@@ -181,8 +181,8 @@ def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
 
 
 def skin_table(forces: PressForces, signals: Signals) -> PressTable:
-    """Depth (mm) and contact area (mm²) of every press, each to the power 3/2: so they grow about as the force
-    does. A press of one depth has one area, however hard the silicone that `signals` show."""
+    """Depth (mm) and contact area (mm²) of every press, each to the power 3/2: so they grow about as the
+    force does. A press of one depth has one area, however hard the silicone that `signals` show."""
     area = forces.contact_area_mm2
     depth = np.broadcast_to(forces.depth_mm, area.shape)
     # three axes of one sensor, as counts have; the third says nothing

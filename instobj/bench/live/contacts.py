@@ -120,7 +120,8 @@ class InvertedContacts:
 class FaceContacts:
     """One contact per face at most, by exported estimators of single faces."""
 
-    method, needs_every_frame, presses = "networks", True, None
+    method, needs_every_frame = "networks", True
+    presses: PressTable | None = None
 
     def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
         self._spec, self._readers = spec, readers
