@@ -33,11 +33,11 @@ def contacts_between_rests(
     """
     sets, tracker = _read(inversion, counts, frame_read)
     resting = (sets.number == 0) & sets.explained
-    level, left = zero_by_rests(counts, resting, inversion.disturbances)
+    level, remaining = zero_by_rests(counts, resting, inversion.disturbances)
     # a core that slipped moves the rests as well, and the tracker knows by how much
     if tracker.slip is not None or not level.any():
         return sets, tracker
-    disturbances = replace(inversion.disturbances, offset_counts=left)
+    disturbances = replace(inversion.disturbances, offset_counts=remaining)
     return _read(replace(inversion, disturbances=disturbances), counts - level, frame_read)
 
 
@@ -69,15 +69,15 @@ def zero_by_rests(
         return np.zeros_like(counts), disturbances.offset_counts
     lengths = np.array([len(rest) for rest in rests])[:, None]
     noise = (disturbances.noise_counts**2 + 1 / 12) / lengths
-    before = disturbances.offset_counts**2
-    kept = before / (before + noise)
+    wrong = disturbances.offset_counts**2
+    kept = wrong / (wrong + noise)
     levels = kept * np.array([_mean(counts[rest]) for rest in rests])
     middles = [rest.mean() for rest in rests]
     level = np.stack([np.interp(frames, middles, column) for column in levels.T], axis=1)
     # a straight line between two values of variance v has (1 − s)² v + s² v
     share = np.interp(frames[~resting], middles, np.arange(len(rests))) % 1
     line = float(np.mean((1 - share) ** 2 + share**2))
-    return level, np.sqrt(line * np.mean(before * (1 - kept), axis=0))
+    return level, np.sqrt(line * np.mean(wrong * (1 - kept), axis=0))
 
 
 def _mean(counts: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "channel"]:

@@ -21,8 +21,8 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 class Skin:
     """Silicone of an object under round tips.
 
-    With a table it is that of finite elements: layer on its core, magnets and edges, small strain, no
-    friction, one tip of the specification's indenter. Areas are whole cells of a face, so that pressures are
+    A table comes from finite elements: layer on its core, magnets and edges, small strain, no friction,
+    one tip of the specification's indenter. Areas are whole cells of a face, so that pressures are
     right within about 10 % from 1 mm of depth on.
 
     Without a table it is Hertz' half-space. Against tables of two cubes, with shells of 6 and 8 mm, at five
