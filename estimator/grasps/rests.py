@@ -15,8 +15,9 @@ from estimator.inversion.tracking import Tracker
 
 _FRAMES = 20
 """Frames of a rest next to a press, at most, that its zero is taken from: older ones have drifted."""
-_LEAST_FRAMES = 5
-"""Frames of a rest below which nothing is taken from it."""
+_LEAST_FRAMES = 10
+"""Frames of a rest below which nothing is taken from it: their noise is as large as the error, and a faint
+touch that was not read weighs more."""
 _EDGE = 2
 """Frames next to a press that are left out of a rest: a touch begins before it is read."""
 
