@@ -38,7 +38,7 @@ def test_what_is_left_of_a_wrong_zero_is_as_large_as_it_says():
 
 
 def test_between_two_rests_the_zero_drifts_straight():
-    counts, wrong, resting = recording(1, 0.0, drift_counts=np.full(CHANNELS, 300.0))
+    counts, wrong, resting = recording(1, 0.0, drift_counts=300.0)
     level, _ = zero_by_rests(
         counts, resting, replace(DISTURBANCES, offset_counts=np.full(CHANNELS, 1e3))
     )
