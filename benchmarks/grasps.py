@@ -34,13 +34,12 @@ from estimator.calibration.twin.pressed_places import invalidate_hard_presses, p
 from estimator.frames.press_protocol import PLACE_ID_STRIDE, disturbed, simulated_frames
 from estimator.grasps.balance import net_wrench
 from estimator.grasps.damage import DamageLimit
-from estimator.grasps.measures import MeasuredGrasp, measured_grasps
+from estimator.grasps.measures import MeasuredGrasp, conditions_of, measured_grasps
 from estimator.grasps.ranking import compare
+from estimator.grasps.rests import contacts_between_rests
 from estimator.grasps.track import ContactTrack, placed_contacts, track_of_sets
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion, save_inversion
-from estimator.inversion.tracking import Tracker
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import Assembly, counts_of
@@ -49,7 +48,6 @@ from fem.linear.response import ResponseOperator, build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.joint import Tip, press_path, refined_faces
 from fem.presses.to_force import squeeze_path
-from instobj.commands.assess.command import conditions_of
 from instobj.stages.run import Run
 from instobj.store.readers import PRESSES
 
@@ -76,9 +74,13 @@ _SLIP_MM, _SLIP_MM_PER_S = (1.0, 3.0), (10.0, 40.0)
 _EARTH_T = 50e-6
 _FRUIT = DamageLimit("fruit", "force_n", 7.2, 0.15, "made for this benchmark")
 """Fruit that the harder gripper damages more often than not."""
-_SHAPE = np.concatenate([[0, 0.25, 0.6, 0.9], np.ones(11), [0.4, 0]])
+_REST = 20
+"""Frames at rest before and after a grasp, two seconds each."""
+_SHAPE = np.concatenate(
+    [np.zeros(_REST), [0, 0.25, 0.6, 0.9], np.ones(11), [0.4, 0], np.zeros(_REST)]
+)
 """Force of a grasp over its peak, frame by frame: rest, closing, hold, release, rest."""
-_HELD = (4, 15)
+_HELD = (_REST + 4, _REST + 15)
 
 
 @dataclass(frozen=True)
@@ -251,8 +253,7 @@ def earth_t(rng: np.random.Generator, frames: int) -> np.ndarray:
 
 def track_of(estimator: Inversion, grasp: Grasped) -> ContactTrack:
     """Read every frame in its order."""
-    tracker = Tracker(estimator)
-    sets = ContactSets.joined([tracker.feed(row) for row in grasp.counts])
+    sets, _ = contacts_between_rests(estimator, grasp.counts)
     return track_of_sets(grasp.time_s, sets, estimator.disturbances.force_error)
 
 

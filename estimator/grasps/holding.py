@@ -23,6 +23,8 @@ _BEGINS, _LASTS, _FINE = 200, 28, 8
 """Beginnings and durations of slips that are tried, and beginnings a frame about the best."""
 _SHORTEST = 1 / 16
 """Frames that a slip lasts at least: a jump, wherever between two frames."""
+_ALIKE = 1e-3
+"""Probabilities of an onset that differ by less count as the same."""
 _TOGETHER = float(chi2.ppf(0.99, 2))
 """Misfit, in variances, that slips of one onset and one duration may leave above slips of two each."""
 _STRAIGHT_MM = 0.05
@@ -159,7 +161,7 @@ def best_slip(
 ) -> tuple[float, float, Float[np.ndarray, "k"]]:
     """Onset, misfit taken away (mm²) and way of the best straight slip.
 
-    The onset is the mean of the beginnings, each weighed by the likelihood of its best duration. A jump
+    The onset is the middle of the one frame's time that most probably holds it, whatever the duration. A jump
     between two frames began in their middle, give or take half a frame.
     """
     last = len(time_s) - 1
@@ -172,9 +174,11 @@ def best_slip(
     fine = best + (np.arange(-width, width) + 0.5) / _FINE
     fine = fine[(fine > -1) & (fine < last)]
     gain, ways = _gains(time_s, centre_mm, fine, lasts)
-    highest = gain.max(axis=1)
-    weight = np.exp((highest - highest.max()) / (2 * variance))
-    onset = float(weight @ fine / weight.sum())
+    # durations are as likely before in equal steps of their logarithm
+    weight = np.exp((gain - gain.max()) / (2 * variance)).sum(axis=1)
+    weight /= weight.sum()
+    held = (abs(fine[:, None] - fine) <= 0.5) @ weight
+    onset = float(fine[held >= held.max() - _ALIKE].mean())
     begin, end = np.unravel_index(int(np.argmax(gain)), gain.shape)
     return float(np.interp(onset, np.arange(last + 1), time_s)), float(gain.max()), ways[begin, end]
 

@@ -12,6 +12,8 @@ from jaxtyping import Float, Int
 from scipy.stats import norm
 
 from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
+from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
 from estimator.grasps.balance import (
     asymmetry,
@@ -27,8 +29,6 @@ from estimator.grasps.damage import (
     DamageLimit,
     Sphere,
     damage_probability,
-    energy_mj,
-    patch_radius_mm,
 )
 from estimator.grasps.holding import (
     common_onset_s,
@@ -39,6 +39,7 @@ from estimator.grasps.holding import (
     unsteadiness,
 )
 from estimator.grasps.phases import Grasp, find_grasps
+from estimator.grasps.skin import Skin
 from estimator.grasps.track import ContactTrack, Placed, placed_contacts, variance_of_mean
 from estimator.grasps.wrench_space import (
     closing_friction,
@@ -48,6 +49,7 @@ from estimator.grasps.wrench_space import (
 )
 
 if TYPE_CHECKING:
+    from estimator.inversion.model.table import PressTable
     from estimator.recordings.attitude import RecordedMotion
 
 _HALF = float(norm.ppf(0.95))
@@ -65,21 +67,36 @@ class Conditions:
     Attributes
     ----------
     faces : of the object, by number
-    skin : its silicone under the gripper's tip, for Hertz
+    hertz : its silicone and the gripper's tip, for Hertz
     tip_radius_mm : of the gripper's tips
     friction : between gripper and object, assumed
     weight_n : of the object; 0 where it is not known or borne otherwise
     limits : of damage
     motion : of the object by its IMU, on the track's clock; None where it has none
+    presses : depth and contact area of solved presses (`ContactModel.skin`); None for Hertz
     """
 
     faces: Mapping[int, FaceFrame]
-    skin: Sphere
+    hertz: Sphere
     tip_radius_mm: float
     friction: float = 0.5
     weight_n: float = 0.0
     limits: tuple[DamageLimit, ...] = ()
     motion: RecordedMotion | None = None
+    presses: PressTable | None = None
+
+    @property
+    def skin(self) -> Skin:
+        """Return the object's skin under the tips."""
+        return Skin(self.faces, self.hertz, self.presses)
+
+
+def conditions_of(spec: ObjectSpec, presses: PressTable | None = None) -> Conditions:
+    """Return faces, skin and tips of a specification; the tip of its indenter presses."""
+    radius = spec.indenter.radius_mm
+    hertz = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
+    faces = {frame.number: frame for frame in face_frames(spec)}
+    return Conditions(faces, hertz, radius, presses=presses)
 
 
 @dataclass(frozen=True)
@@ -121,10 +138,11 @@ class MeasuredGrasp:
 def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[MeasuredGrasp]:
     """Measure every grasp of a track; none where nothing was grasped."""
     grasps = find_grasps(track.time_s, track.total_n)
-    return [_measured(track, grasp, conditions) for grasp in grasps]
+    return [measured_grasp(track, grasp, conditions) for grasp in grasps]
 
 
-def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
+def measured_grasp(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
+    """Measure one grasp of a track; its number is the seed of what is drawn for intervals."""
     part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
     closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
     rng = np.random.default_rng(grasp.number)
@@ -227,10 +245,12 @@ def _draws(contacts: Placed, rng: np.random.Generator, count: int = _DRAWS) -> l
 
 
 def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
-    work = energy_mj(contacts.force_n[:, 2], conditions.skin)
+    skin = conditions.skin
     return {
         "grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts)))),
-        "energy_mj": float(work.sum()),
+        "pressure_mpa": float(skin.pressure_mpa(contacts).max(initial=0.0)),
+        "depth_mm": float(skin.depth_mm(contacts).max(initial=0.0)),
+        "energy_mj": float(skin.energy_mj(contacts).sum()),
     }
 
 
@@ -256,7 +276,7 @@ def _hull_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
 
 
 def _patch_mm(conditions: Conditions, contacts: Placed) -> float:
-    return float(patch_radius_mm(contacts.force_n[:, 2], conditions.skin).mean())
+    return float(conditions.skin.patch_radius_mm(contacts).mean())
 
 
 def _balance_chance(

@@ -9,9 +9,9 @@ from jaxtyping import Float
 
 START_N = 0.6
 """Total force from which two jaws are taken to touch: 0.3 N each, as load cells show a contact."""
-_END_SHARE = 0.5
-"""Share of the starting force below which a grasp has ended: less than 1, so that noise ends nothing."""
-_PAUSE_S = 0.3
+HELD_N = 0.5 * START_N
+"""Total force below which a grasp has ended: less than that of its start, so that noise ends nothing."""
+PAUSE_S = 0.3
 """Time without force that ends a grasp; shorter ones belong to it."""
 _LEAST_FRAMES = 4
 """Frames of a grasp above `START_N`, at least."""
@@ -49,10 +49,10 @@ def find_grasps(
     error of scale must not hide a grasp. The level is the median of the forces above half the peak. The hold
     lasts from the first to the last frame above `HOLD_SHARE` of the level.
     """
-    strong, held = force_n > START_N, force_n > _END_SHARE * START_N
+    strong, held = force_n > START_N, force_n > HELD_N
     grasps: list[Grasp] = []
     free = 0
-    for first, last in joined_runs(time_s, _runs(held), _PAUSE_S):
+    for first, last in joined_runs(time_s, _runs(held), PAUSE_S):
         if strong[first:last].sum() >= _LEAST_FRAMES:
             grasps.append(_grasp(len(grasps) + 1, free, first, last, force_n))
             free = last

@@ -56,7 +56,10 @@ _ROWS: tuple[tuple[str, ...], ...] = (
     ("regrasps", "regrasps", "1", "times that the force fell below half its level and came back", OWN, _LESS),
     ("jolt_m_s2", "hardest jolt", "m/s²", "largest specific force beyond gravity in the grasp, by the "
      "object's IMU", OWN, _LESS),
-    ("energy_mj", "energy put in", "mJ", "work on the silicone up to the peak by Hertz, at most", OWN, _LESS),
+    ("pressure_mpa", "pressure on the skin", "MPa", "largest mean pressure of a contact on the silicone at "
+     "the peak, by the presses that the estimator's file holds, else by Hertz", OWN, _LESS),
+    ("depth_mm", "indentation", "mm", "depth of the deepest contact at the peak, likewise", OWN, _LESS),
+    ("energy_mj", "energy put in", "mJ", "work on the silicone up to the peak, likewise", OWN, _LESS),
     ("unexplained", "frames not trusted", "1", "share of frames that the estimator cannot explain"),
 )  # fmt: skip
 """Name, title, unit, definition, source and better way of every measure."""

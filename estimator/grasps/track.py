@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +22,8 @@ deviation has 0.37 of the efficiency of a root mean square (Rousseeuw & Croux, J
 differences have 2/3 of that of deviations (von Neumann, Ann. Math. Stat. 12, 1941)."""
 _SHARES = (np.arange(64) + 0.5) / 64
 """Shares of an error that may be new in every frame, over which is summed."""
+_BY_FRAME = ("time_s", "face", "xy_mm", "force_n", "covariance", "explained")
+"""Fields of a track with a row for each frame."""
 _PRESSED = 0.5
 """Probability of a contact above which a network's frame counts as pressed."""
 
@@ -57,8 +59,15 @@ class ContactTrack:
         self, frames: slice | Int[np.ndarray, "some"] | Bool[np.ndarray, "frame"]
     ) -> ContactTrack:
         """The given frames, in order."""
-        names = ("time_s", "face", "xy_mm", "force_n", "covariance", "explained")
-        return replace(self, **{name: getattr(self, name)[frames] for name in names})
+        return replace(self, **{name: getattr(self, name)[frames] for name in _BY_FRAME})
+
+    @classmethod
+    def joined(cls, parts: Sequence[ContactTrack]) -> ContactTrack:
+        """Parts one after the other, of one estimator."""
+        columns = {
+            name: np.concatenate([getattr(part, name) for part in parts]) for name in _BY_FRAME
+        }
+        return replace(parts[0], **columns)
 
     def averaged(self, frames: Int[np.ndarray, "some"]) -> ContactTrack:
         """Mean of frames with the same contacts, as one frame.

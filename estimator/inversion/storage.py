@@ -27,6 +27,7 @@ _KIND = FileKind(
     {
         "signals": ("face nx ny nf channel", "count"),
         "motions": ("face nx ny nf component", "mm or rad"),
+        "skin": ("face nx ny nf skin_channel", "mm^1.5 or mm^3"),
         "shear": ("shear_face shear_nx shear_ny nf pull", "count/N"),
         "shear_x_mm": ("shear_nx", "mm"),
         "shear_y_mm": ("shear_ny", "mm"),
@@ -44,7 +45,7 @@ _KIND = FileKind(
         "jaw_half_mm": ("jaw axis", "mm"),
     },
     optional=(
-        *("shear", "shear_x_mm", "shear_y_mm", "nuisances"),
+        *("skin", "shear", "shear_x_mm", "shear_y_mm", "nuisances"),
         *("jaws", "jaw_faces", "jaw_half_mm"),
     ),
     attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
@@ -66,6 +67,7 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "shear": None if shear is None else shear.coefficients,
         "shear_x_mm": None if shear is None else shear.x.nodes,
         "shear_y_mm": None if shear is None else shear.y.nodes,
+        "skin": None if model.skin is None else model.skin.coefficients,
         "signals": table.coefficients,
         "motions": model.motions.coefficients,
         "x_mm": table.x.nodes,
@@ -149,6 +151,9 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         PressTable(values["faces"], x, y, root, values[name].astype(np.float32))
         for name in ("signals", "motions")
     )
+    skin = None
+    if "skin" in values:
+        skin = PressTable(values["faces"], x, y, root, values["skin"].astype(np.float32))
     shear = None
     if "shear" in values:
         along_x, along_y = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
@@ -166,7 +171,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         described[name] = tuple(described[name])
     return Inversion(
         ContactModel(
-            spec, signals, motions, values["rest"], float(attributes["nearest_mm"]), shear
+            spec, signals, motions, values["rest"], float(attributes["nearest_mm"]), shear, skin
         ),
         Disturbances(
             values["noise_counts"],

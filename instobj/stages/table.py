@@ -277,7 +277,7 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "limits.use", "tolerances", "seed"),
         ),
         make_inversion,
-        version=7,
+        version=8,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(

@@ -33,7 +33,13 @@ from estimator.inversion.model.arrays import (
     true_rows,
     zeros,
 )
-from estimator.inversion.model.table import PressTable, motion_table, shear_table, signal_table
+from estimator.inversion.model.table import (
+    PressTable,
+    motion_table,
+    shear_table,
+    signal_table,
+    skin_table,
+)
 from estimator.signals.field_setup import Scene, counts, min_distance_mm, sensed_field
 from estimator.signals.interpolation import among_pressed
 from estimator.signals.press_states import rest_motion
@@ -62,6 +68,7 @@ class ContactModel:
     rest : (body, 6) motion that is there without a press
     nearest_mm : between magnet and sensor in single presses
     shear : what tangential forces add, 2 · channels; None where contacts are frictionless
+    skin : depth and contact area of single presses (`skin_table`); None in files of earlier versions
     """
 
     spec: ObjectSpec
@@ -70,6 +77,7 @@ class ContactModel:
     rest: Float[np.ndarray, "body 6"]
     nearest_mm: float
     shear: PressTable | None = None
+    skin: PressTable | None = None
 
     def select_face(self, index: int) -> ContactModel:
         """The same object pressed on one face only, which then is face 0."""
@@ -79,6 +87,7 @@ class ContactModel:
             signals=self.signals.select_face(index),
             motions=self.motions.select_face(index),
             shear=shear,
+            skin=None,
         )
 
     def moved_to(self, reference: Array) -> ContactModel:
@@ -311,4 +320,5 @@ def contact_model(
         rest_motion(motions),
         nearest,
         shear_table(spec, signals, shear) if share and shear is not None else None,
+        skin_table(forces, signals),
     )

@@ -180,6 +180,16 @@ def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
     return signal_table(motions_as_signals(forces, motions))
 
 
+def skin_table(forces: PressForces, signals: Signals) -> PressTable:
+    """Depth (mm) and contact area (mm²) of every press, each to the power 3/2: so they grow about as the
+    force does. A press of one depth has one area, however hard the silicone that `signals` show."""
+    area = forces.contact_area_mm2
+    depth = np.broadcast_to(forces.depth_mm, area.shape)
+    # three axes of one sensor, as counts have; the third says nothing
+    grown = np.stack([depth, area, np.zeros_like(area)], axis=-1)[..., None, :] ** 1.5
+    return signal_table(replace(signals, delta_counts=grown, baseline_counts=np.zeros((1, 3))))
+
+
 def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> PressTable:
     """Change of counts per newton along x, then along y (2 · channels), at the contact locations."""
     nodes, values = force_nodes(signals), []

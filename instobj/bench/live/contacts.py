@@ -16,7 +16,9 @@ from estimator.deploy.live_contacts import LiveContacts
 from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
+from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.condition import FINE, Condition
+from estimator.inversion.model.table import PressTable
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 LeftOut = Bool[np.ndarray, "face sensor 3"]
@@ -28,12 +30,14 @@ _PRESENT = 0.5
 @dataclass(frozen=True)
 class Found:
     """Contacts in a frame, in `protocol.CONTACT`'s columns, whether they explain it, the name of a chip that
-    they were read without, and the object's condition by its last frames."""
+    they were read without, the object's condition by its last frames, and the same contacts as a track of one
+    frame, of which grasps are judged."""
 
     contacts: Float[np.ndarray, "contact 15"]
     explained: bool
     chip_out: str = ""
     condition: Condition = FINE
+    track: ContactTrack | None = None
 
 
 class Estimator(Protocol):
@@ -41,12 +45,16 @@ class Estimator(Protocol):
 
     Attributes
     ----------
+    method : inversion or networks
     needs_every_frame : whether it must see all frames in their order, or may skip some
     channels : the ones that it reads
+    presses : depth and contact area of solved presses; None where its file has none
     """
 
+    method: str
     needs_every_frame: bool
     channels: tuple[Channel, ...]
+    presses: PressTable | None
 
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
@@ -68,11 +76,12 @@ class Estimator(Protocol):
 class InvertedContacts:
     """Contacts of the whole object, by inversion of its forward model."""
 
-    needs_every_frame = False
+    method, needs_every_frame = "inversion", False
 
     def __init__(self, spec: ObjectSpec, reader: LiveContacts) -> None:
         self._spec, self._reader = spec, reader
         self.channels = reader.inversion.channels
+        self.presses = reader.inversion.model.skin
 
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
@@ -93,7 +102,9 @@ class InvertedContacts:
         ]
         chip = self._reader.inversion.chip_name(int(reading.chip_out[0]))
         shown = np.reshape(rows, (-1, CONTACT_WIDTH))
-        return Found(shown, bool(reading.explained[0]), chip, self._reader.condition())
+        force_error = self._reader.inversion.disturbances.force_error
+        track = track_of_sets(np.array([time_s]), reading, force_error)
+        return Found(shown, bool(reading.explained[0]), chip, self._reader.condition(), track)
 
     def pass_by(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
@@ -109,10 +120,12 @@ class InvertedContacts:
 class FaceContacts:
     """One contact per face at most, by exported estimators of single faces."""
 
-    needs_every_frame = True
+    method, needs_every_frame = "networks", True
+    presses: PressTable | None = None
 
     def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
         self._spec, self._readers = spec, readers
+        self._cover = min(reader.model.interval_cover for reader in readers)
         self.channels = tuple(
             dict.fromkeys(channel for reader in readers for channel in reader.model.channels)
         )
@@ -121,12 +134,13 @@ class FaceContacts:
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
         """Return what they read in the next frame."""
-        rows, explained = [], True
+        rows, explained, readings = [], True, {}
         for reader in self._readers:
             reading = reader.feed(raw_counts, time_s, left_out)
             if reading is None:
                 return None
             explained &= not reading.novel[0]
+            readings[reader.model.face] = reading
             if reading.contact[0] > _PRESENT:
                 force = (
                     reading.position_radius_mm[0],
@@ -135,7 +149,8 @@ class FaceContacts:
                 )
                 place = (reader.model.face, *reading.xy_mm[0].tolist())
                 rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
-        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
+        track = track_of_networks(np.array([time_s]), readings, self._cover)
+        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained), track=track)
 
     def pass_by(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut

@@ -18,6 +18,8 @@ from jaxtyping import Bool, Float
 from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.grasps.growing import GrowingGrasps
+from estimator.grasps.measures import MeasuredGrasp, conditions_of
 from estimator.inversion.condition import Condition
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
@@ -30,6 +32,9 @@ from instobj.bench.live.health import (
     whole_condition,
 )
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
+from instobj.commands.assess.groups import with_ends
+from instobj.commands.assess.sentences import answer_text
+from instobj.commands.assess.tracks import MOST_UNEXPLAINED
 
 _KEPT = 4000
 _MOST_BEHIND = 40
@@ -37,6 +42,9 @@ _MOST_BEHIND = 40
 _AT_REST_S = 1.0
 _UNSEEN_S = 0.5
 """Between two readings something may have pressed for so long without being seen."""
+_SHOWN_GRASPS = 50
+"""Last grasps whose answers the page shows."""
+_SHOWN_MEASURES = ("peak_n", "grasp_n", "slip_mm")
 AGAIN_S = 0.5
 """Pause after a frame that the estimator refused."""
 
@@ -111,6 +119,10 @@ class Watch:
         self._next, self._read_to = 0, 0
         self._rezero_asked = False
         self._sound = SoundReadings()
+        presses = None if self.estimator is None else self.estimator.presses
+        self._conditions = conditions_of(self.spec, presses)
+        self._growing = GrowingGrasps(self._conditions)
+        self._grasps: deque[dict[str, Any]] = deque(maxlen=_SHOWN_GRASPS)
         self._start_zero()
 
     def take_header(self, channels: Sequence[str]) -> None:
@@ -189,6 +201,7 @@ class Watch:
             "explained": self.reading.read.explained,
             "trouble": self._trouble or self._doubts(condition),
             "read": self._read_frames,
+            "grasps": list(self._grasps),
             "now_s": time.time(),
         }
 
@@ -222,6 +235,7 @@ class Watch:
         if self._rezero_asked:
             self._rezero_asked = False
             estimator.rezero()
+            self._growing.forget()
         most = _MOST_BEHIND if estimator.needs_every_frame else 1
         for row in reversed(waiting[most:][:_MOST_BEHIND]):
             self._pass_by(estimator, row)
@@ -249,6 +263,20 @@ class Watch:
             if len(contacts.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
                 self._pressed_s = row.arrived_s
             self.reading = Reading(contacts, row.arrived_s, row.time_s)
+            if contacts.track is not None:
+                for grasp in self._growing.feed(contacts.track):
+                    self._grasps.append(self._judged(grasp, estimator.method))
+
+    def _judged(self, grasp: MeasuredGrasp, method: str) -> dict[str, Any]:
+        """Return what the page says of a grasp that has ended: the answer of `instobj assess`, and forces and
+        slip where the estimator explains most of it."""
+        unexplained, number = grasp.readings["unexplained"].value, grasp.grasp.number
+        name = f"grasp {number}"
+        text = answer_text(name, [grasp], unexplained, method, self._conditions)
+        row = {"grasp": number, "text": text}
+        if unexplained <= MOST_UNEXPLAINED:
+            row |= {name: with_ends(grasp.readings[name]) for name in _SHOWN_MEASURES}
+        return row
 
     def _resting_drift(self, rows: list[Row]) -> Float[np.ndarray, "channel"] | None:
         """Change of the resting level since the first rest after the zero was asked for.

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError
-from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
-from estimator.grasps.damage import Sphere, read_limits
-from estimator.grasps.measures import Conditions, measured_grasps
+from estimator.grasps.damage import read_limits
+from estimator.grasps.measures import Conditions, conditions_of, measured_grasps
 from estimator.grasps.protocols import PROTOCOLS, Protocol
 from estimator.grasps.ranking import compare, exchanged_share, median_interval
 from instobj.commands.assess.groups import (
@@ -103,8 +102,12 @@ def assess(options: AssessOptions) -> dict[str, Any]:
     require_writable(options.out)
     estimators = load_estimators(options.model, options.spec)
     spec = estimators.spec
+    presses = None if estimators.inversion is None else estimators.inversion.model.skin
     conditions = replace(
-        conditions_of(spec), friction=options.friction, weight_n=options.weight_n, limits=limits
+        conditions_of(spec, presses),
+        friction=options.friction,
+        weight_n=options.weight_n,
+        limits=limits,
     )
     groups = []
     for name, paths in zip(names, files, strict=True):
@@ -134,13 +137,6 @@ def _show_tracks(mcap: Path, spec: ObjectSpec, groups: list[Group]) -> None:
         for topic, track in tracks.items():
             for frame in frame_documents(track):
                 send(frame, topic if len(tracks) > 1 else "/instobj")
-
-
-def conditions_of(spec: ObjectSpec) -> Conditions:
-    """Faces, skin and tips of a specification; the tip of its indenter presses."""
-    radius = spec.indenter.radius_mm
-    skin = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
-    return Conditions({frame.number: frame for frame in face_frames(spec)}, skin, radius)
 
 
 def _names(paths: Sequence[Path]) -> list[str]:

@@ -11,6 +11,7 @@ from estimator.grasps.ranking import LEVEL, Difference, median_interval
 from estimator.grasps.verdict import Judged, Verdict, force_half_width, verdict_of
 from estimator.inversion.condition import DISTRUST_FROM
 from instobj.commands.assess.groups import Group, cell_rows, measure_of, missed_share, with_ends
+from instobj.commands.assess.tracks import MOST_UNEXPLAINED
 from instobj.report.cells import shown
 
 _FEW = 6
@@ -31,13 +32,24 @@ def verdict_text(group: Group, conditions: Conditions) -> str:
             f"{group.name}: cannot be said, because no grasp was found. Begin recordings at rest, and check "
             "that the estimator is of this object."
         )
-    if not group.trusted:
-        share, method = group.unexplained, group.recordings[0].read.method
+    grasps, method = [grasp for _, grasp in group.grasps], group.recordings[0].read.method
+    return answer_text(group.name, grasps, group.unexplained, method, conditions)
+
+
+def answer_text(
+    name: str,
+    grasps: Sequence[MeasuredGrasp],
+    unexplained: float,
+    method: str,
+    conditions: Conditions,
+) -> str:
+    """Return the sentence of `verdict_text` for grasps of which `unexplained` is the share of pressed frames
+    that the estimator does not explain; `method` reads them, inversion or networks."""
+    if unexplained > MOST_UNEXPLAINED:
         return (
-            f"{group.name}: cannot be said, because the estimator does not explain {100 * share:.0f} % of "
+            f"{name}: cannot be said, because the estimator does not explain {100 * unexplained:.0f} % of "
             f"the pressed frames. Its figures are withheld. {_REMEDY[method]}."
         )
-    grasps = [grasp for _, grasp in group.grasps]
     verdict = verdict_of(grasps, conditions)
     chosen = verdict.named({"good": True, "not good": False}.get(verdict.answer))
     reasons = "; ".join(_reason(judged) for judged in chosen)
@@ -49,7 +61,7 @@ def verdict_text(group: Group, conditions: Conditions) -> str:
     width = f" Forces are known to ± {100 * half_width:.0f} %." if np.isfinite(half_width) else ""
     if verdict.answer == "good" and not conditions.limits:
         width += " Damage is not judged: no limit is given (--limit)."
-    return f"{group.name}: {verdict.answer} ({count}){joint}{reasons}.{width}"
+    return f"{name}: {verdict.answer} ({count}){joint}{reasons}.{width}"
 
 
 def _out_of_balance(grasps: Sequence[MeasuredGrasp], verdict: Verdict) -> str:

@@ -18,8 +18,9 @@ from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero, read_t
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.face_data import HISTORY
 from estimator.frames.same_object import same_grid
+from estimator.grasps.rests import contacts_between_rests
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
-from estimator.inversion.condition import Condition
+from estimator.inversion.condition import FINE, Condition
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.recordings.attitude import RecordedMotion, read_motion
@@ -334,20 +335,23 @@ def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:
 
 def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> tuple[ContactTrack, Condition]:
     """Contacts of every frame, and the object's condition at the end."""
-    from estimator.inversion.tracking import Tracker
-
     require_read_sensors(inversion, frames, path)
-    progress, sets, tracker = ProgressLine(), [], Tracker(inversion)
+    progress, sets, condition = ProgressLine(), [], FINE
+    counts = frames.signal_counts.reshape(len(frames), -1)
+    # every session has a zero of its own
+    firsts = np.flatnonzero(np.diff(frames.session_id)) + 1
     with progress.stage(f"contacts in {path}"):
-        for number, change in enumerate(frames.signal_counts.reshape(len(frames), -1)):
-            if number and frames.session_id[number] != frames.session_id[number - 1]:
-                tracker = Tracker(inversion)
-            sets.append(tracker.feed(change))
-            if number % _STEP == 0:
-                progress.step(f"frame {number} of {len(frames)}")
+        for session in np.split(np.arange(len(frames)), firsts):
+
+            def show(number: int, first: int = int(session[0])) -> None:
+                if number % _STEP == 0:
+                    progress.step(f"frame {first + number} of {len(frames)}")
+
+            session_sets, tracker = contacts_between_rests(inversion, counts[session], show)
+            sets.append(session_sets)
+            condition = tracker.condition()
     force_error = inversion.disturbances.force_error
-    track = track_of_sets(frames.time_s, ContactSets.joined(sets), force_error)
-    return track, tracker.condition()
+    return track_of_sets(frames.time_s, ContactSets.joined(sets), force_error), condition
 
 
 def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:

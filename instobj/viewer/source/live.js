@@ -62,6 +62,7 @@ async function startLive() {
   }
   function tell(now) {
     health.show(now.health ?? []);
+    listGrasps(find("grasps"), now.grasps ?? []);
     const { recording } = now;
     find("record").setAttribute("aria-pressed", String(Boolean(recording?.on)));
     find("record").textContent = recording?.on ? "recording" : "record";
@@ -118,6 +119,22 @@ function listContacts(body, contacts) {
     const cells = [one.face, fixed(one.x, 1), fixed(one.y, 1), fixed(one.radius, 1), `${fixed(one.force, 2)} ± ${fixed(one.halfwidth, 2)}`];
     cells.forEach((cell) => line.insertCell().append(String(cell).replace("-", "−")));
     return line;
+  }));
+}
+
+// The newest first; a grasp that is listed never changes.
+function listGrasps(body, grasps) {
+  const newest = grasps.at(-1)?.grasp ?? 0;
+  if (body.dataset.newest === String(newest)) return;
+  body.dataset.newest = newest;
+  body.replaceChildren(...grasps.toReversed().flatMap((grasp) => {
+    const [line, answer] = ["tr", "tr"].map((kind) => document.createElement(kind));
+    const cells = [grasp.peak_n, grasp.grasp_n, grasp.slip_mm].map((figure) => figure ?? "–");
+    [grasp.grasp, ...cells].forEach((cell) => line.insertCell().append(String(cell)));
+    const text = answer.insertCell();
+    text.colSpan = 4;
+    text.append(grasp.text.replace(/^[^:]*: /, ""));
+    return [line, answer];
   }));
 }
 

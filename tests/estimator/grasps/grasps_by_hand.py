@@ -1,5 +1,7 @@
 """Contacts of a cube of 40 mm and their grasps over time, by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from design.body.surface_chart import flat_frame
@@ -53,9 +55,8 @@ def squeeze(
 def joined(*tracks):
     """Tracks one after the other."""
     starts = np.cumsum([0.0, *(track.time_s[-1] + 0.1 for track in tracks[:-1])])
-    times = [track.time_s + start for track, start in zip(tracks, starts, strict=True)]
-    parts = ("face", "xy_mm", "force_n", "covariance", "explained")
-    return ContactTrack(
-        np.concatenate(times),
-        *(np.concatenate([getattr(track, name) for track in tracks]) for name in parts),
-    )
+    later = [
+        replace(track, time_s=track.time_s + start)
+        for track, start in zip(tracks, starts, strict=True)
+    ]
+    return ContactTrack.joined(later)

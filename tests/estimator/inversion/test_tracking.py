@@ -213,6 +213,9 @@ def test_a_file_gives_the_same_readings(tmp_path, followed):
     some = counts[[3, 20, 30]]
     for one, other in zip(inverted().read(some)[0].xy_mm, again.read(some)[0].xy_mm, strict=True):
         assert_allclose(one, other, atol=1e-5)
+    presses = np.array([0, 2]), np.array([[3.0, 1.0, 4.0], [-2.0, 5.0, 1.0]])
+    skins = [estimator.model.skin.expected(*presses) for estimator in (inverted(), again)]
+    assert_allclose(*skins, rtol=1e-6)
     assert is_inversion(path)
     assert not is_inversion(tmp_path / "no.nc")
     damaged = bytearray(path.read_bytes())

@@ -10,14 +10,13 @@ import pytest
 
 from design.catalogue.bus_parts import MOTION
 from estimator.frames.dataset import load_frames, save_frames
-from estimator.grasps.measures import measured_grasps
+from estimator.grasps.measures import conditions_of, measured_grasps
 from estimator.grasps.phases import find_grasps
 from estimator.grasps.ranking import compare, exchanged_share
 from estimator.grasps.track import ContactTrack, track_of_labels
 from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
-from instobj.commands.assess.command import conditions_of
 from instobj.commands.assess.tracks import unexplained_share
 from instobj.viewer.archive import unpack
 from tests.support.browser import Browser, chromium

@@ -120,7 +120,7 @@ def test_the_battery_of_a_wireless_object_is_said(tmp_path):
 class Failing:
     """An estimator whose runtime fails."""
 
-    needs_every_frame, channels = True, ()
+    needs_every_frame, channels, presses = True, (), None
 
     def feed(self, raw_counts, time_s, left_out):
         raise RuntimeError("no kernel image")

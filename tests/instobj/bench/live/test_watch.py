@@ -1,16 +1,21 @@
 """Rows, zero, contacts and rest as the page gets them, with an estimator that does as it is told."""
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.grasps.measures import conditions_of, measured_grasps
 from estimator.inversion.condition import object_condition
 from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.bench.live.health import DRIFTING, GOOD
 from instobj.bench.live.watch import Watch, channel_names
+from instobj.commands.assess.groups import with_ends
+from instobj.commands.assess.sentences import answer_text
+from tests.estimator.grasps.grasps_by_hand import squeeze
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)
@@ -20,7 +25,7 @@ LEVEL = np.arange(45) * 10.0
 class Told:
     """Finds a contact while the first channel is beyond 500 counts."""
 
-    channels = ()
+    channels, presses = (), None
 
     def __init__(self, needs_every_frame):
         self.needs_every_frame, self.seen, self.passed, self.zeroed = needs_every_frame, [], [], 0
@@ -114,6 +119,43 @@ def test_contacts_stand_on_the_body_and_push_inwards():
     np.testing.assert_allclose(row[9:12], [0, 0, 1])
     np.testing.assert_allclose(row[12:], [0, 0, -4.0])
     assert watch.reading.arrived_s == pytest.approx(100.025)
+
+
+class Squeezed(Told):
+    """Reads a hand-made grasp, a frame of it for each row."""
+
+    method = "inversion"
+
+    def __init__(self, track):
+        super().__init__(True)
+        self.track = track
+
+    def feed(self, raw_counts, time_s, left_out=None):
+        row = len(self.seen)
+        frame = self.track.select(slice(row, row + 1))
+        self.seen.append(time_s)
+        return Found(np.zeros((0, 15)), bool(frame.explained[0]), track=frame)
+
+
+@pytest.mark.parametrize("explained", [True, False])
+def test_a_grasp_that_has_ended_has_the_answer_of_assess(explained):
+    track = squeeze(10.0)
+    watch = watching(Squeezed(replace(track, explained=np.full(len(track), explained))))
+    for row in range(len(track)):
+        feed(watch, [0.0], 100.0 + row)
+        watch.read_next()
+    (grasp,) = watch.state()["grasps"]
+    conditions = conditions_of(SPEC)
+    expected = measured_grasps(track, conditions)
+    unexplained = float(not explained)
+    assert grasp["text"] == answer_text("grasp 1", expected, unexplained, "inversion", conditions)
+    if explained:
+        assert grasp["text"].startswith("grasp 1: good (one grasp)")
+        assert grasp["peak_n"] == with_ends(expected[0].readings["peak_n"])
+        assert grasp["slip_mm"] == "0"
+    else:
+        assert "cannot be said" in grasp["text"]
+        assert set(grasp) == {"grasp", "text"}
 
 
 def test_a_chip_that_stands_still_is_left_out_and_told():
