@@ -7,12 +7,13 @@ contact problem, on the compliance of the face's cells, holds all depths.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
-from fem.contact.complementarity import contact_pressures
+from fem.contact.complementarity import Contact, contact, solve_positive
 from fem.contact.half_space import Patches
 
 CELLS = 20
@@ -21,7 +22,7 @@ _LEAST_SHARE = 1e-3
 """Share of a cell that a jaw must cover for the cell to bear."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class JawFace:
     """What a jaw needs of one face.
 
@@ -38,7 +39,7 @@ class JawFace:
     compliance: Float[np.ndarray, "cell cell"]
     motion: Float[np.ndarray, "cell magnet 6"]
 
-    @cached_property
+    @property
     def whole_mm(self) -> Float[np.ndarray, "axis end"]:
         """Return low and high edge of the face along x and y."""
         return self.half_mm[:, None] * [-1.0, 1.0]
@@ -53,21 +54,52 @@ class JawFace:
         leaves an edge.
         """
         edges = self.whole_mm if edges_mm is None else edges_mm
-        (x, x_width), (y, y_width) = map(_covered_mm, self.half_mm, edges)
-        area = np.multiply.outer(x_width, y_width).ravel()
-        share = area / (4 * self.half_mm.prod() / CELLS**2)
-        (used,) = np.nonzero(share > _LEAST_SHARE)
-        area, share = area[used], share[used]
-        centre = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)[used]
-        compliance = self.compliance.take(used, axis=0).take(used, axis=1)
-        # a cell that is covered in part bears as much less than a whole one at the same depth
-        own = share * compliance.diagonal()
-        compliance = compliance * np.multiply.outer(share, share)
-        np.fill_diagonal(compliance, own)
-        away = (centre - edges.mean(axis=1)) / (np.diff(edges)[:, 0] / 2)
-        bears = contact_pressures(compliance, -(away @ lean) * area, area, np.ones(1))[0] * area
+        part = _part(self, *edges.ravel().tolist())
+        depth = np.array([1.0, *lean])
+        pressure = part.pressure @ depth
+        if (pressure < 0).any():  # the jaw leaves a part of what it covers
+            still = -part.moments @ [0.0, *lean]
+            near, area = Contact(part.before[None], part.before[None]), part.moments[:, 0]
+            pressure = contact(part.compliance, still, area, np.ones(1), near).pressure_mpa[0]
+            part.before[:] = pressure
+        bears = pressure * part.moments[:, 0]
         force = float(bears.sum())
-        return force, bears @ centre / force, np.tensordot(bears, self.motion[used], 1)
+        motion = np.tensordot(bears, self.motion[part.cells], 1)
+        return force, bears @ part.centre_mm / force, motion
+
+
+class _Part(NamedTuple):
+    """A part of a face under a jaw: its cells with their centres and compliance, and (cell, 3) of a unit of
+    depth at the middle and of depths gained towards +x and +y: its moments ∫ depth dA over the cells, and the
+    pressures where all cells stay in contact. `before` are those of the press before, where contact begins."""
+
+    cells: Int[np.ndarray, "cell"]
+    centre_mm: Float[np.ndarray, "cell 2"]
+    compliance: Float[np.ndarray, "cell cell"]
+    moments: Float[np.ndarray, "cell 3"]
+    pressure: Float[np.ndarray, "cell 3"]
+    before: Float[np.ndarray, "cell"]
+
+
+@lru_cache(maxsize=16)
+def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float) -> _Part:
+    """The part between four edges (mm); slopes of a fit ask for one part again and again."""
+    edges = np.array([[x_low, x_high], [y_low, y_high]])
+    (x, x_width), (y, y_width) = map(_covered_mm, jaw.half_mm, edges)
+    area = np.multiply.outer(x_width, y_width).ravel()
+    share = area / (4 * jaw.half_mm.prod() / CELLS**2)
+    (used,) = np.nonzero(share > _LEAST_SHARE)
+    area, share = area[used], share[used]
+    centre = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)[used]
+    compliance = jaw.compliance.take(used, axis=0).take(used, axis=1)
+    # a cell that is covered in part bears as much less than a whole one at the same depth
+    own = share * compliance.diagonal()
+    compliance = compliance * np.multiply.outer(share, share)
+    np.fill_diagonal(compliance, own)
+    away = (centre - edges.mean(axis=1)) / (np.diff(edges)[:, 0] / 2)
+    moments = np.column_stack([area, away * area[:, None]])
+    pressure = solve_positive(compliance.copy(), moments)
+    return _Part(used, centre, compliance, moments, pressure, pressure[:, 0].copy())
 
 
 def face_cells(half_mm: Float[np.ndarray, "2"], count: int) -> Patches:

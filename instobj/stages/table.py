@@ -277,7 +277,7 @@ STAGES: dict[str, Stage] = {
             *("indenter", "inversion", "limits.use", "tolerances", "seed"),
         ),
         make_inversion,
-        version=7,
+        version=8,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(
@@ -285,7 +285,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "limits.use", "tolerances", "seed"),
         make_contact_metrics,
-        version=13,
+        version=14,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
