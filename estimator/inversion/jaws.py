@@ -320,7 +320,7 @@ class _Problem:
         return self._white(ends[1:] - ends[:1]) / step[self.free, None]
 
     def start(self) -> Float[np.ndarray, "k"]:
-        """Return jaws over whole faces, of the forces without lean that fit best as if signals were linear."""
+        """Return jaws over whole faces, of the level forces that fit best as if signals were linear."""
         counts = self._white(self.observations.counts)[0]
         slopes = [self._white(self.jaws.parts(face)[1][self._whole_part])[0] for face in self.group]
         force, *_ = np.linalg.lstsq(np.transpose(slopes), counts, rcond=None)
@@ -341,8 +341,8 @@ class _Problem:
         rows = {face: self._white_parts(face) for face in self.group}
         chosen = dict.fromkeys(self.group, self._whole_part)
         start = self.start()
-        for number, face in [*enumerate(self.group)] * len(self.group):
-            others = [rows[other][chosen[other]] for other in self.group if other != face]
+        for jaw, face in [*enumerate(self.group)] * len(self.group):
+            others = [rows[number][chosen[number]] for number in self.group if number != face]
             beside = np.concatenate([np.zeros((0, len(counts))), *others])
             patterns = np.concatenate(
                 [rows[face], np.broadcast_to(beside, (len(rows[face]), *beside.shape))], axis=1
@@ -350,14 +350,14 @@ class _Problem:
             square = patterns @ patterns.swapaxes(1, 2)
             ridge = _RIDGE * np.trace(square, axis1=1, axis2=2)
             square += ridge[:, None, None] * np.eye(square.shape[1])
-            seen = patterns @ counts
-            share = np.linalg.solve(square, seen[..., None])[..., 0]
+            projected = patterns @ counts
+            share = np.linalg.solve(square, projected[..., None])[..., 0]
             # the fall of the misfit; jaws only push
-            fall = np.where(share[:, :3].sum(axis=1) > 0, (share * seen).sum(axis=1), -np.inf)
+            fall = np.where(share[:, :3].sum(axis=1) > 0, (share * projected).sum(axis=1), -np.inf)
             chosen[face] = int(fall.argmax())
             level, *leans = share[chosen[face], :3]
             force = float(np.clip(level + sum(leans), _SMALL_N, self.jaws.most_n))
-            part = slice(_POSE * number, _POSE * (number + 1))
+            part = slice(_POSE * jaw, _POSE * (jaw + 1))
             lean = np.clip(_SMALL_LEAN * np.array(leans) / force, -1, 1)
             start[part] = np.r_[force, lean, self.jaws.parts(face)[0][chosen[face]]]
         return start

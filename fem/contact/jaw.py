@@ -1,4 +1,4 @@
-"""A rigid flat jaw over a flat face or a part of it: force, centre of pressure and magnets' motions by its pose.
+"""Rigid flat jaws over a flat face or a part of it: force, centre of pressure and magnets' motions.
 
 A jaw's pressures scale with its pose: twice the depth and twice the tilt give twice the pressures. So one
 contact problem, on the compliance of the face's cells, holds all depths.
@@ -59,9 +59,9 @@ class JawFace:
         pressure = part.pressure @ depth
         if (pressure < 0).any():  # the jaw leaves a part of what it covers
             still = -part.moments @ [0.0, *lean]
-            near, area = Contact(part.before[None], part.before[None]), part.moments[:, 0]
+            near, area = Contact(part.latest[None], part.latest[None]), part.moments[:, 0]
             pressure = contact(part.compliance, still, area, np.ones(1), near).pressure_mpa[0]
-            part.before[:] = pressure
+            part.latest[:] = pressure
         bears = pressure * part.moments[:, 0]
         force = float(bears.sum())
         motion = np.tensordot(bears, self.motion[part.cells], 1)
@@ -71,14 +71,15 @@ class JawFace:
 class _Part(NamedTuple):
     """A part of a face under a jaw: its cells with their centres and compliance, and (cell, 3) of a unit of
     depth at the middle and of depths gained towards +x and +y: its moments ∫ depth dA over the cells, and the
-    pressures where all cells stay in contact. `before` are those of the press before, where contact begins."""
+    pressures where all cells stay in contact. `latest` are those of the press before, where the next begins.
+    """
 
     cells: Int[np.ndarray, "cell"]
     centre_mm: Float[np.ndarray, "cell 2"]
     compliance: Float[np.ndarray, "cell cell"]
     moments: Float[np.ndarray, "cell 3"]
     pressure: Float[np.ndarray, "cell 3"]
-    before: Float[np.ndarray, "cell"]
+    latest: Float[np.ndarray, "cell"]
 
 
 @lru_cache(maxsize=16)
@@ -93,9 +94,9 @@ def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float
     centre = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)[used]
     compliance = jaw.compliance.take(used, axis=0).take(used, axis=1)
     # a cell that is covered in part bears as much less than a whole one at the same depth
-    own = share * compliance.diagonal()
+    diagonal = share * compliance.diagonal()
     compliance = compliance * np.multiply.outer(share, share)
-    np.fill_diagonal(compliance, own)
+    np.fill_diagonal(compliance, diagonal)
     away = (centre - edges.mean(axis=1)) / (np.diff(edges)[:, 0] / 2)
     moments = np.column_stack([area, away * area[:, None]])
     pressure = solve_positive(compliance.copy(), moments)

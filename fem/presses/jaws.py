@@ -16,7 +16,7 @@ from fem.linear.response import ResponseOperator
 from fem.presses.joint import refined_faces
 
 _FINER = 2
-"""Pieces along each side of a cell: by one piece a cell, motions were off by 2 % where it met the mesh badly."""
+"""Pieces along each side of a cell: by cells in one piece, motions were off by 2 % on some meshes."""
 
 
 def coverable_faces(spec: ObjectSpec) -> list[int]:

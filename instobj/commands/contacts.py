@@ -102,8 +102,8 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
     texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
     if best.jaws.any():
         texts.append(
-            f"{int(best.jaws.sum())} frames are read as flat jaws. Size and force of a jaw that covers a part of "
-            "a face are uncertain together: take the half-widths with them"
+            f"{int(best.jaws.sum())} frames are read as flat jaws. Size and force of a jaw that covers a "
+            "part of a face are uncertain together: take the half-widths with them"
         )
     tables = {f"{path.name}, {model_path.name}": [summary]}
     files = [target] if mcap is None else [target, mcap]
