@@ -101,7 +101,7 @@ def contact_sets_of(contacts: list[FrameContacts]) -> ContactSets:
     face = np.nan_to_num(values[..., 0]).astype(int)
     unknown = np.full((*face.shape, 3, 3), np.nan)
     pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(contacts))
-    out = np.full(len(contacts), NONE)
+    out, sizes = np.full(len(contacts), NONE), np.full((*face.shape, 2, 2), np.nan)
     places = face, values[..., 1:3], values[..., 3]
     none = np.zeros((len(contacts), 0))
-    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none, pulls)
+    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none, pulls, sizes)

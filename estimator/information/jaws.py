@@ -24,7 +24,7 @@ from estimator.information.sensitivity import read_channels
 from estimator.signals.live import live_in_press
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, press_signals
-from fem.presses.jaws import JawFace
+from fem.contact.jaw import JawFace
 from fem.presses.results import MagnetMotions, PressForces
 
 _STEP = 0.05

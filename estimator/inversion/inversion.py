@@ -14,11 +14,12 @@ from design.errors import InputError
 from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
 from estimator.field.device import card_tensor
+from estimator.frames.dataset import NO_FACE
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.evidence import contact_blocks, joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
-from estimator.inversion.jaws import JawFit, Jaws, JawTable
+from estimator.inversion.jaws import JawFit, Jaws
 from estimator.inversion.lying import log_evidence_without, lying_chips
 from estimator.inversion.magnets import BesideMagnet, slip_columns
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
@@ -35,6 +36,7 @@ from estimator.inversion.readings import (
 from estimator.inversion.search import Hypotheses, Search
 from estimator.signals.nuisances import magnet_columns
 from estimator.signals.presses import Signals
+from fem.contact.jaw import JawFace
 from fem.presses.results import MagnetMotions, PressForces
 
 _FRAMES_AT_ONCE, FRAMES_ON_A_CARD = 100, 1000
@@ -56,13 +58,13 @@ class Inversion:
     model : what contacts do to the signals
     disturbances : what else does
     priors : what is believed of contacts
-    jaw_tables : of the flat faces, which jaws may cover; empty where none are looked for
+    jaw_tables : of the flat faces, which jaws may press; empty where none are looked for
     """
 
     model: ContactModel
     disturbances: Disturbances
     priors: Priors
-    jaw_tables: tuple[JawTable, ...] = ()
+    jaw_tables: tuple[JawFace, ...] = ()
 
     @cached_property
     def channels(self) -> tuple[Channel, ...]:
@@ -200,7 +202,13 @@ class Inversion:
         # every jaw takes a slot of a contact
         fitting = [group for group in groups if len(group) <= self.priors.most]
         fit = self.jaws.fit(observations, fitting)
-        return fit if fit is not None and fit.beats(log_evidence) else None
+        if fit is None:
+            return None
+        faces = tips.face[0][tips.face[0] != NO_FACE]
+        split = len(faces) > len(np.unique(faces))
+        if split or fit.beats(log_evidence) or not tips.explained[0]:
+            fit = self.jaws.over_parts(observations, fit)
+        return fit if fit.beats(log_evidence) else None
 
     def jaw_reading(self, fit: JawFit, tips: ContactSets) -> ContactSets:
         """Return a frame's jaws in place of its tips."""

@@ -1,80 +1,58 @@
-"""Flat jaws over whole faces, read from frames: another kind of contact, weighed against tips by evidence.
+"""Flat jaws over faces or parts of them, read from frames: another kind of contact, weighed against tips by
+evidence.
 
-A jaw's motions of the magnets are its depth times a table over how it leans (`fem.presses.jaws`): as patterns
-of low order, uniform and two tilts, with the contact that is lost. Jaws add up as motions, and the field of
-the sum is exact. The most probable pose of the jaws on given faces is found by Levenberg and Marquardt's
-method; its evidence by Laplace's approximation has the frame's constant in common with that of tips, so that
-their difference is the log of the odds.
+A jaw is a rigid plane that presses a rectangle of a face (`fem.contact.jaw`): its force, two leans, and each
+edge that lies on the face are unknown; an edge beyond the border is none. Jaws add up as motions, and the
+field of the sum is exact. Edges are let go one by one, the nearest to a border first, and all these fits are
+weighed. The most probable pose is found by Levenberg and Marquardt's method; its evidence by Laplace's
+approximation has the frame's constant in common with that of tips, so that their difference is the log of
+the odds. What is uncertain of a jaw includes which of its edges lie on the face.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import product
-from typing import TYPE_CHECKING
+from itertools import combinations, product
 
 import numpy as np
-from jaxtyping import Float
-from scipy.interpolate import RegularGridInterpolator
+from jaxtyping import Bool, Float
 from scipy.special import chdtrc
 
 from design.layout.body import face_frames
-from design.spec.object import ObjectSpec
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.problems import BLIND, Observations
-
-if TYPE_CHECKING:  # readers on a robot have no finite elements
-    from fem.linear.response import ResponseOperator
-    from fem.presses.jaws import JawFace
+from fem.contact.jaw import JawFace
 
 MOST_LEAN = 2.0
-"""Share in the table: the depth gained from the middle to a border, over the depth at the middle."""
-_NODES = 9
-"""Leans of the table along each axis."""
+"""Depth gained from the middle to an edge, over the depth at the middle, at most."""
+_POSE = 7
+"""Unknowns of a jaw: force (N), two leans, low and high edge along x, then along y (mm)."""
+_EDGE = 3
+"""First edge among them."""
 _STEP = 1e-4
 """Step of differences, over the width of the prior: signals bend little over it."""
 _SMALL_N = 1.0
-"""Force of each jaw without lean at which signals are taken for linear, for the start of a fit."""
+"""Force of each jaw at which signals are taken for linear, for the start of a fit."""
+_SMALL_LEAN = 0.2
+"""Lean by which patterns of leans are taken."""
 _LEAST_N = 1e-3
 """Least force of a jaw: keeps the fit off 0, where leans say nothing."""
+_LEAST_EDGE_MM = 6.0
+"""Least edge of a jaw: what is smaller is as well a tip."""
+_LINES = 7
+"""Lines along each side of a face between which parts of it are tried as a start."""
+_RIDGE = 1e-9
+"""Share of a matrix's diagonal that is added to it: patterns may be alike."""
 _ROUNDS, _ROUNDS_FROM_LAST = 30, 8
 """Steps of a fit: from scratch, and from the frame before."""
-_SETTLED = 1e-3
+_SETTLED = 1e-2
 """Fall of the misfit by a step below which a fit has ended: evidence does not ask for more."""
 _SURE = 3.0
 """Log of the odds that a jaw must have over tips: 20 to 1, as a wrong kind misleads more than none."""
-
-
-@dataclass(frozen=True)
-class JawTable:
-    """A jaw on one face over its two leans.
-
-    Attributes
-    ----------
-    face : its number
-    half_mm : half edges of the face
-    values : (lean, lean, column) force (N per mm), moment of the pressures (2, N) and motions of the magnets
-        (magnet × 6), all per mm of depth at the middle
-    """
-
-    face: int
-    half_mm: Float[np.ndarray, "2"]
-    values: Float[np.ndarray, "lean lean column"]
-
-    @cached_property
-    def _spline(self) -> RegularGridInterpolator:
-        return RegularGridInterpolator((_leans(), _leans()), self.values, method="cubic")
-
-    def pattern(
-        self, lean: Float[np.ndarray, "pose 2"]
-    ) -> tuple[
-        Float[np.ndarray, "pose"], Float[np.ndarray, "pose 2"], Float[np.ndarray, "pose magnet 6"]
-    ]:
-        """Return what `JawFace.press` gives at each pose, from a cubic spline over the table."""
-        rows = self._spline(lean)
-        return rows[:, 0], rows[:, 1:3] / rows[:, :1], rows[:, 3:].reshape(len(rows), -1, 6)
+_HOPELESS = 10.0
+"""Log of the odds against a fit from which edges that are let go no longer help."""
 
 
 @dataclass(frozen=True)
@@ -84,44 +62,31 @@ class JawFit:
     Attributes
     ----------
     faces : of the jaws
-    pose : (jaw, 3) force (N) and the two leans
+    pose : (jaw, 7) force (N), the two leans, and the edges (mm): low and high along x, then along y
+    free : (jaw, 7) what is unknown of it: an edge that is not lies beyond the border
     log_evidence : but for the frame's constant; other groups and tips are as likely before
-    covariance : (jaw, 3, 3) of the centre of pressure (mm) and the force (N)
-    centre_mm, tilt_deg : (jaw, 2) centre of pressure in the face's frame; tilt about the face's x and y
+    values : (jaw, 5) centre of pressure in the face's frame (mm), force (N), and edges along x and y of the
+        part of the face that it covers (mm)
+    covariance : (jaw, 5, 5) of the values
+    off, among : (jaw, 5), (jaw, 5, 5) what the mean over fits with other edges adds to values and covariance
+    tilt_deg : (jaw, 2) about the face's x and y
     p_value : chance of a misfit as large if the jaws were true
     """
 
     faces: tuple[int, ...]
-    pose: Float[np.ndarray, "jaw 3"]
+    pose: Float[np.ndarray, "jaw 7"]
+    free: Bool[np.ndarray, "jaw 7"]
     log_evidence: float
-    covariance: Float[np.ndarray, "jaw 3 3"]
-    centre_mm: Float[np.ndarray, "jaw 2"]
+    values: Float[np.ndarray, "jaw 5"]
+    covariance: Float[np.ndarray, "jaw 5 5"]
+    off: Float[np.ndarray, "jaw 5"]
+    among: Float[np.ndarray, "jaw 5 5"]
     tilt_deg: Float[np.ndarray, "jaw 2"]
     p_value: float
 
     def beats(self, log_evidence: float) -> bool:
         """Return whether jaws are far more probable than tips of that evidence."""
         return self.log_evidence > log_evidence + _SURE
-
-
-def jaw_tables(spec: ObjectSpec, response: ResponseOperator) -> tuple[JawTable, ...]:
-    """Press a jaw on each flat rectangular face at all leans of the table; none on curved bodies."""
-    from fem.presses.jaws import coverable_faces, jaw_faces
-
-    flat = coverable_faces(spec)
-    return tuple(map(_table, jaw_faces(spec, response, flat))) if flat else ()
-
-
-def _leans() -> Float[np.ndarray, "lean"]:
-    return np.linspace(-MOST_LEAN, MOST_LEAN, _NODES)
-
-
-def _table(jaw: JawFace) -> JawTable:
-    rows = []
-    for lean in product(_leans(), _leans()):
-        force, centre, motion = jaw.press(np.array(lean))
-        rows.append(np.concatenate([[force], force * centre, motion.ravel()]))
-    return JawTable(jaw.face, jaw.half_mm, np.array(rows).reshape(_NODES, _NODES, -1))
 
 
 @dataclass(frozen=True)
@@ -131,20 +96,20 @@ class Jaws:
     Attributes
     ----------
     model : what motions do to the signals
-    tables : of the faces that a jaw can cover
+    tables : of the faces that a jaw can press
     """
 
     model: ContactModel
-    tables: tuple[JawTable, ...]
+    tables: tuple[JawFace, ...]
 
     @cached_property
     def most_n(self) -> float:
         """Return the largest force: of the press of the specification that goes deepest, without lean."""
         deepest = float(np.max(self.model.spec.press.depths_mm))
-        return max(deepest * float(t.pattern(np.zeros((1, 2)))[0][0]) for t in self.tables)
+        return max(deepest * t.press(np.zeros(2))[0] for t in self.tables)
 
     def groups(self, pressed: Sequence[int]) -> list[tuple[int, ...]]:
-        """Return faces that jaws may cover where tips were read on `pressed`: each with or without the
+        """Return faces that jaws may press where tips were read on `pressed`: each with or without the
         face opposite, which a grasp presses too."""
         covered, groups = {table.face for table in self.tables}, set()
         for face in covered & set(pressed):
@@ -162,91 +127,182 @@ class Jaws:
         return {a: b for a, b in pairs if normals[a] @ normals[b] < -1 + 1e-6}
 
     def fit(self, observations: Observations, groups: Sequence[tuple[int, ...]]) -> JawFit | None:
-        """Return the most probable jaws of one frame on some group of faces."""
-        fits = [self._fitted(observations, group) for group in groups]
+        """Return the most probable jaws of one frame over the whole of some group of faces."""
+        problems = [_Problem(self, observations, group, self._whole(group)) for group in groups]
+        fits = [problem.fitted(problem.start(), _ROUNDS) for problem in problems]
         return max(fits, key=lambda fit: fit.log_evidence, default=None)
 
     def refit(self, observations: Observations, last: JawFit) -> JawFit:
         """Return the jaws of the frame before, as they are in this one."""
-        return self._fitted(observations, last.faces, last.pose.ravel())
+        problem = _Problem(self, observations, last.faces, last.free.ravel())
+        fit = problem.fitted(last.pose.ravel(), _ROUNDS_FROM_LAST)
+        return _beside_others(fit, fit.covariance, last.off, last.among)
 
-    def _tables_of(self, group: tuple[int, ...]) -> list[JawTable]:
+    def over_parts(self, observations: Observations, over_whole: JawFit) -> JawFit:
+        """Return jaws that may cover parts of the faces: the mean of fits with all edges unknown, and with
+        ever fewer, down to those over whole faces."""
+        group, fits = over_whole.faces, [over_whole]
+        whole, borders = self._whole(group), self._whole_pose(group)
+        free, rounds = np.ones_like(whole), _ROUNDS
+        pose = _Problem(self, observations, group, free).start_of_parts()
+        while not np.array_equal(free, whole):
+            fits.append(_Problem(self, observations, group, free).fitted(pose, rounds))
+            best = max(fit.log_evidence for fit in fits)
+            if fits[-1].log_evidence < best - _HOPELESS:
+                break
+            pose, free, rounds = fits[-1].pose.ravel().copy(), free.copy(), _ROUNDS_FROM_LAST
+            inside = np.where(free & ~whole, abs(pose - borders), np.inf)
+            nearest = int(inside.argmin())
+            free[nearest], pose[nearest] = False, borders[nearest]
+        return _mean(fits)
+
+    @staticmethod
+    def _whole(group: tuple[int, ...]) -> Bool[np.ndarray, "k"]:
+        """Unknowns of jaws over whole faces."""
+        return np.tile(np.arange(_POSE) < _EDGE, len(group))
+
+    def tables_of(self, group: tuple[int, ...]) -> list[JawFace]:
+        """Return the faces of a group."""
         return [table for face in group for table in self.tables if table.face == face]
 
-    def _change(
+    def _whole_pose(self, group: tuple[int, ...]) -> Float[np.ndarray, "k"]:
+        """Jaws over whole faces, without force or lean."""
+        ends = [np.r_[np.zeros(_EDGE), table.whole_mm.ravel()] for table in self.tables_of(group)]
+        return np.concatenate(ends)
+
+    def change(
         self, group: tuple[int, ...], poses: Float[np.ndarray, "pose k"]
     ) -> Float[np.ndarray, "pose channel"]:
-        """Counts of jaws with force (N) and two leans each."""
+        """Counts of jaws by their poses."""
         moved = np.zeros((len(poses), *self.model.rest.shape))
-        for jaw, table in enumerate(self._tables_of(group)):
-            force, lean = poses[:, 3 * jaw], poses[:, 3 * jaw + 1 : 3 * jaw + 3]
-            per_mm, _, motion = table.pattern(lean)
-            moved += (force / per_mm)[:, None, None] * motion
+        for jaw, table in enumerate(self.tables_of(group)):
+            pose = poses[:, _POSE * jaw : _POSE * (jaw + 1)]
+            shapes, row = np.unique(pose[:, 1:], axis=0, return_inverse=True)
+            per_newton = np.stack([_per_newton(table, shape) for shape in shapes])
+            moved += pose[:, 0, None, None] * per_newton[row.ravel()]
         return self.model.counts_of_motions(moved)
 
-    def _fitted(
-        self,
-        observations: Observations,
-        group: tuple[int, ...],
-        start: Float[np.ndarray, "k"] | None = None,
-    ) -> JawFit:
-        count = len(group)
-        width = np.tile([self.most_n, 2 * MOST_LEAN, 2 * MOST_LEAN], count)
-        problem = _Problem(self, observations, group, width)
-        if start is None:
-            pose, misfit, curvature = problem.descend(problem.start(), _ROUNDS)
-        else:
-            pose, misfit, curvature = problem.descend(start, _ROUNDS_FROM_LAST)
-        volume = np.linalg.slogdet(curvature)[1]
-        # Laplace: (2π)^{k/2} e^{−misfit} / √det H over the volume of the even priors
-        evidence = 0.5 * (3 * count * np.log(2 * np.pi) - volume) - misfit - np.log(width).sum()
-        freedoms = max(int((observations.sigma < BLIND).sum()) - 3 * count, 1)
-        p_value = float(chdtrc(freedoms, 2 * misfit))
-        return self._described(group, pose, evidence, np.linalg.inv(curvature), p_value)
+    @cached_property
+    def _parts(self) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        return {}
 
-    def _described(
-        self,
-        group: tuple[int, ...],
-        pose: Float[np.ndarray, "k"],
-        evidence: float,
-        covariance: Float[np.ndarray, "k k"],
-        p_value: float,
-    ) -> JawFit:
-        centres, tilts, spreads = [], [], []
-        for jaw, table in enumerate(self._tables_of(group)):
-            part = slice(3 * jaw, 3 * jaw + 3)
-            force, *lean = pose[part]
-            # differences inwards, as the table ends at `MOST_LEAN`
-            inward = np.where(np.array(lean) > 0, -1e-3, 1e-3)
-            around = np.array(lean) + np.vstack([np.zeros(2), np.diag(inward)])
-            per_mm, centre, _ = table.pattern(around)
-            by_pose = np.zeros((3, 3))  # centre (x, y) by leans, and force by itself
-            by_pose[:2, 1:] = (centre[1:] - centre[:1]).T / inward
-            by_pose[2, 0] = 1.0
-            spreads.append(by_pose @ covariance[part, part] @ by_pose.T)
-            gained = np.array(lean) * force / per_mm[0] / table.half_mm
-            centres.append(centre[0])
-            # depth gained towards +y is a turn about −x, towards +x about +y
-            tilts.append(np.degrees(np.arctan([-gained[1], gained[0]])))
-        poses = pose.reshape(-1, 3)
-        return JawFit(
-            group, poses, float(evidence), np.array(spreads), np.array(centres), np.array(tilts),
-            p_value,
-        )  # fmt: skip
+    def parts(
+        self, face: int
+    ) -> tuple[Float[np.ndarray, "part 4"], Float[np.ndarray, "part 3 channel"]]:
+        """Return edges of parts of a face, and counts per newton on each of a level jaw and of its leans."""
+        if face not in self._parts:
+            (table,) = self.tables_of((face,))
+            sides = [
+                list(combinations(np.linspace(-half, half, _LINES), 2)) for half in table.half_mm
+            ]
+            edges = np.array([[*x, *y] for x, y in product(*sides)])
+            leans = np.array([[0.0, 0.0], [_SMALL_LEAN, 0.0], [0.0, _SMALL_LEAN]])
+            shapes = [np.r_[lean, part] for part in edges for lean in leans]
+            moved = np.stack([_per_newton(table, shape) for shape in shapes])
+            counts = self.model.counts_of_motions(_SMALL_N * moved) / _SMALL_N
+            self._parts[face] = edges, counts.reshape(len(edges), len(leans), -1)
+        return self._parts[face]
+
+
+def _per_newton(table: JawFace, shape: Float[np.ndarray, "6"]) -> Float[np.ndarray, "magnet 6"]:
+    """Motions per newton of a jaw of two leans and four edges."""
+    force, _, motion = table.press(shape[:2], shape[2:].reshape(2, 2))
+    return motion / force
+
+
+def _mean(fits: Sequence[JawFit]) -> JawFit:
+    """The best of some fits on the same faces; what is read of it is their mean by their odds."""
+    best = max(fits, key=lambda fit: fit.log_evidence)
+    odds = np.exp([fit.log_evidence - best.log_evidence for fit in fits])
+    values = np.stack([fit.values for fit in fits])
+    off = np.average(values, axis=0, weights=odds) - best.values
+    away = values - best.values - off
+    among = np.average(away[..., :, None] * away[..., None, :], axis=0, weights=odds)
+    covariance = np.average([fit.covariance for fit in fits], axis=0, weights=odds)
+    return _beside_others(best, covariance, off, among)
+
+
+def _beside_others(
+    fit: JawFit,
+    covariance: Float[np.ndarray, "jaw 5 5"],
+    off: Float[np.ndarray, "jaw 5"],
+    among: Float[np.ndarray, "jaw 5 5"],
+) -> JawFit:
+    """The fit with what other edges would read."""
+    values = fit.values + off
+    return replace(fit, values=values, covariance=covariance + among, off=off, among=among)
 
 
 @dataclass(frozen=True)
 class _Problem:
-    """Jaws on given faces in one frame, in units of the priors' widths."""
+    """Jaws on given faces in one frame, of which `free` unknowns are looked for."""
 
     jaws: Jaws
     observations: Observations
     group: tuple[int, ...]
-    width: Float[np.ndarray, "k"]
+    free: Bool[np.ndarray, "k"]
 
-    @property
-    def _low(self) -> Float[np.ndarray, "k"]:
-        return np.tile([_LEAST_N, -MOST_LEAN, -MOST_LEAN], len(self.group))
+    @cached_property
+    def bounds(self) -> tuple[Float[np.ndarray, "k"], Float[np.ndarray, "k"]]:
+        """Return the least and the most of every unknown."""
+        low, high = [], []
+        for table in self.jaws.tables_of(self.group):
+            x, y = table.half_mm
+            low += [_LEAST_N, -MOST_LEAN, -MOST_LEAN, -x, -x, -y, -y]
+            high += [self.jaws.most_n, MOST_LEAN, MOST_LEAN, x, x, y, y]
+        return np.array(low), np.array(high)
+
+    @cached_property
+    def width(self) -> Float[np.ndarray, "k"]:
+        """Return how wide the even priors are."""
+        low, high = self.bounds
+        return high - low
+
+    def fitted(self, start: Float[np.ndarray, "k"], rounds: int) -> JawFit:
+        """Return the most probable jaws near a start."""
+        pose, misfit, curvature = self._descend(start, rounds)
+        count, volume = int(self.free.sum()), np.linalg.slogdet(curvature)[1]
+        # Laplace: (2π)^{k/2} e^{−misfit} / √det H over the volume of the even priors
+        evidence = 0.5 * (count * np.log(2 * np.pi) - volume) - misfit
+        evidence -= np.log(self.width[self.free]).sum()
+        freedoms = max(int((self.observations.sigma < BLIND).sum()) - count, 1)
+        covariance = np.zeros((len(pose), len(pose)))
+        covariance[np.ix_(self.free, self.free)] = np.linalg.inv(curvature)
+        values, spreads = [], []
+        for jaw, table in enumerate(self.jaws.tables_of(self.group)):
+            part = slice(_POSE * jaw, _POSE * (jaw + 1))
+            value = _described(table, pose[part])
+            # differences inwards, as unknowns end at their bounds
+            step = self._inward(pose, 1e-3)[part]
+            ends = [_described(table, pose[part] + way) for way in np.diag(step)]
+            by_pose = (np.array(ends) - value)[:, :5].T / step
+            values.append(value)
+            spreads.append(by_pose @ covariance[part, part] @ by_pose.T)
+        described = np.array(values)
+        return JawFit(
+            self.group, pose.reshape(-1, _POSE), self.free.reshape(-1, _POSE), float(evidence),
+            described[:, :5], np.array(spreads), np.zeros((len(values), 5)),
+            np.zeros((len(values), 5, 5)), described[:, 5:],
+            float(chdtrc(freedoms, 2 * misfit)),
+        )  # fmt: skip
+
+    def _inward(self, pose: Float[np.ndarray, "k"], share: float) -> Float[np.ndarray, "k"]:
+        """Steps of a share of the priors' width, away from the upper bounds."""
+        step = share * self.width
+        return np.where(pose + step > self.bounds[1], -step, step)
+
+    def _within(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "k"]:
+        """The nearest pose within bounds, of edges that are wide enough apart."""
+        clipped = np.clip(pose, *self.bounds)
+        for first in range(0, len(pose), _POSE):
+            for low in (first + _EDGE, first + _EDGE + 2):
+                lack = _LEAST_EDGE_MM - (clipped[low + 1] - clipped[low])
+                if lack > 0:
+                    middle = clipped[low : low + 2].mean()
+                    half = self.bounds[1][low] - _LEAST_EDGE_MM / 2
+                    middle = np.clip(middle, -half, half)
+                    clipped[low : low + 2] = middle + _LEAST_EDGE_MM / 2 * np.array([-1, 1])
+        return np.where(self.free, clipped, pose)
 
     def _white(
         self, change: Float[np.ndarray, "pose channel"]
@@ -254,43 +310,79 @@ class _Problem:
         return self.observations.white(change[None])[0]
 
     def _residual(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "channel"]:
-        change = self.jaws._change(self.group, pose[None]) - self.observations.counts
+        change = self.jaws.change(self.group, pose[None]) - self.observations.counts
         return self._white(change)[0]
 
-    def _slopes(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "k channel"]:
-        """Whitened change by each parameter, per unit of it."""
-        step = _STEP * self.width
-        inward = np.where(pose + step > self._low + self.width, -1.0, 1.0) * step
-        ends = self.jaws._change(self.group, np.vstack([pose, pose + np.diag(inward)]))
-        return self._white(ends[1:] - ends[:1]) / inward[:, None]
+    def _slopes(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "free channel"]:
+        """Whitened change by each unknown, per unit of it."""
+        step = self._inward(pose, _STEP)
+        ends = self.jaws.change(self.group, np.vstack([pose, pose + np.diag(step)[self.free]]))
+        return self._white(ends[1:] - ends[:1]) / step[self.free, None]
 
     def start(self) -> Float[np.ndarray, "k"]:
-        """Return the forces without lean that fit best where signals are linear in them."""
-        poses = np.zeros((len(self.group), 3 * len(self.group)))
-        poses[np.arange(len(self.group)), ::3] = _LEAST_N
-        np.fill_diagonal(poses[:, ::3], _SMALL_N)
-        slopes = self._white(self.jaws._change(self.group, poses)) / _SMALL_N
+        """Return jaws over whole faces, of the level forces that fit best as if signals were linear."""
         counts = self._white(self.observations.counts)[0]
-        force, *_ = np.linalg.lstsq(slopes.T, counts, rcond=None)
-        start = np.zeros(len(self.width))
-        start[::3] = np.clip(force, _SMALL_N, self.jaws.most_n)
+        slopes = [self._white(self.jaws.parts(face)[1][self._whole_part])[0] for face in self.group]
+        force, *_ = np.linalg.lstsq(np.transpose(slopes), counts, rcond=None)
+        start = self.jaws._whole_pose(self.group)
+        start[::_POSE] = np.clip(force, _SMALL_N, self.jaws.most_n)
         return start
 
-    def descend(
+    @property
+    def _whole_part(self) -> int:
+        """Row of the whole face among its parts: of the first and last line along both sides."""
+        pairs = list(combinations(range(_LINES), 2))
+        whole = pairs.index((0, _LINES - 1))
+        return whole * len(pairs) + whole
+
+    def start_of_parts(self) -> Float[np.ndarray, "k"]:
+        """Return the parts that fit best, each face's in turn, as if signals were linear."""
+        counts = self._white(self.observations.counts)[0]
+        rows = {face: self._white_parts(face) for face in self.group}
+        chosen = dict.fromkeys(self.group, self._whole_part)
+        start = self.start()
+        for jaw, face in [*enumerate(self.group)] * len(self.group):
+            others = [rows[number][chosen[number]] for number in self.group if number != face]
+            beside = np.concatenate([np.zeros((0, len(counts))), *others])
+            patterns = np.concatenate(
+                [rows[face], np.broadcast_to(beside, (len(rows[face]), *beside.shape))], axis=1
+            )
+            square = patterns @ patterns.swapaxes(1, 2)
+            ridge = _RIDGE * np.trace(square, axis1=1, axis2=2)
+            square += ridge[:, None, None] * np.eye(square.shape[1])
+            projected = patterns @ counts
+            share = np.linalg.solve(square, projected[..., None])[..., 0]
+            # the fall of the misfit; jaws only push
+            fall = np.where(share[:, :3].sum(axis=1) > 0, (share * projected).sum(axis=1), -np.inf)
+            chosen[face] = int(fall.argmax())
+            level, *leans = share[chosen[face], :3]
+            force = float(np.clip(level + sum(leans), _SMALL_N, self.jaws.most_n))
+            part = slice(_POSE * jaw, _POSE * (jaw + 1))
+            lean = np.clip(_SMALL_LEAN * np.array(leans) / force, -1, 1)
+            start[part] = np.r_[force, lean, self.jaws.parts(face)[0][chosen[face]]]
+        return start
+
+    def _white_parts(self, face: int) -> Float[np.ndarray, "part 3 channel"]:
+        counts = self.jaws.parts(face)[1]
+        return self._white(counts.reshape(-1, counts.shape[2])).reshape(counts.shape)
+
+    def _descend(
         self, pose: Float[np.ndarray, "k"], rounds: int
-    ) -> tuple[Float[np.ndarray, "k"], float, Float[np.ndarray, "k k"]]:
+    ) -> tuple[Float[np.ndarray, "k"], float, Float[np.ndarray, "free free"]]:
         """Return the pose of least misfit near a start, its half χ², and the curvature there."""
+        pose, free = self._within(pose), self.free
         residual = self._residual(pose)
         misfit, damping = 0.5 * float(residual @ residual), 1e-3
         # even priors; their normal stand-in keeps the curvature regular, as with tips
-        prior = np.diag(12 / self.width**2)
+        prior = np.diag(12 / self.width[free] ** 2)
         slopes = self._slopes(pose)
         for _ in range(rounds):
             curvature = slopes @ slopes.T + prior
             # Marquardt's scaling: damping in the parameters' own units
             damped = curvature + damping * np.diag(np.diag(curvature))
-            step = np.linalg.solve(damped, slopes @ residual)
-            tried = np.clip(pose - step, self._low, self._low + self.width)
+            step = np.zeros_like(pose)
+            step[free] = np.linalg.solve(damped, slopes @ residual)
+            tried = self._within(pose - step)
             ahead = self._residual(tried)
             reached = 0.5 * float(ahead @ ahead)
             if reached >= misfit:
@@ -303,3 +395,14 @@ class _Problem:
             if fell < _SETTLED:
                 break
         return pose, misfit, slopes @ slopes.T + prior
+
+
+def _described(table: JawFace, pose: Float[np.ndarray, "7"]) -> Float[np.ndarray, "7"]:
+    """Centre of pressure (mm), force (N), size (mm), and tilt about x and y (degrees)."""
+    force, lean, edges = pose[0], pose[1:_EDGE], pose[_EDGE:].reshape(2, 2)
+    per_mm, centre, _ = table.press(lean, edges)
+    size = np.diff(edges)[:, 0]
+    gained = lean * force / per_mm / (size / 2)
+    # depth gained towards +y is a turn about −x, towards +x about +y
+    tilt = np.degrees(np.arctan([-gained[1], gained[0]]))
+    return np.concatenate([centre, [force], size, tilt])

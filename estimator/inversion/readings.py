@@ -45,6 +45,8 @@ class ContactSets(Columns):
     since_zero, since_zero_sigma : (frame, unknown) what changed since the zero and is no contact, in
         the order and units of `Disturbances.nuisances`, and its standard deviations; NaN where jaws are read
     tilt_deg : (frame, contact, 2) tilt of a jaw about x and y of its face; NaN for a tip
+    size_mm : (frame, contact, 2, 2) edges along x and y of what a jaw covers of its face, and their
+        standard deviations; NaN for a tip
     """
 
     face: Int[np.ndarray, "frame contact"]
@@ -59,6 +61,7 @@ class ContactSets(Columns):
     since_zero: Float[np.ndarray, "frame unknown"]
     since_zero_sigma: Float[np.ndarray, "frame unknown"]
     tilt_deg: Float[np.ndarray, "frame contact 2"]
+    size_mm: Float[np.ndarray, "frame contact axis 2"]
 
     def with_force_error(self, relative: float) -> ContactSets:
         """Return the sets with forces also wrong by a common relative error."""
@@ -68,7 +71,7 @@ class ContactSets(Columns):
 
     @property
     def jaws(self) -> Bool[np.ndarray, "frame"]:
-        """Return which frames are read as jaws over whole faces, not as tips."""
+        """Return which frames are read as jaws, not as tips."""
         return np.isfinite(self.tilt_deg[:, 0, 0])
 
     @property
@@ -106,6 +109,13 @@ class ContactSets(Columns):
 
         return norm.ppf(0.5 + COVERAGE / 2) * np.sqrt(self.covariance[..., 2, 2])
 
+    @property
+    def size_halfwidth_mm(self) -> Float[np.ndarray, "frame contact"]:
+        """Half the interval that holds either edge of a jaw with a probability of 90 %."""
+        from scipy.stats import norm
+
+        return norm.ppf(0.5 + COVERAGE / 2) * self.size_mm[..., 1].max(axis=2)
+
 
 def contact_sets(
     model: ContactModel,
@@ -136,6 +146,7 @@ def contact_sets(
         np.full(len(filled), NONE),
         *changes_since_zero(model, observations, problems, joint),
         np.full((*filled.shape, 2), np.nan),
+        np.full((*filled.shape, 2, 2), np.nan),
     )
 
 
@@ -146,8 +157,10 @@ def jaw_set(fit: JawFit, tips: ContactSets) -> ContactSets:
                for column in tips._columns()]  # fmt: skip
     jaws = ContactSets(*columns)
     jaws.face[:], jaws.face[0, :count] = NO_FACE, fit.faces
-    jaws.xy_mm[0, :count], jaws.force_n[0, :count] = fit.centre_mm, fit.pose[:, 0]
-    jaws.covariance[0, :count], jaws.tilt_deg[0, :count] = fit.covariance, fit.tilt_deg
+    jaws.xy_mm[0, :count], jaws.force_n[0, :count] = fit.values[:, :2], fit.values[:, 2]
+    jaws.covariance[0, :count], jaws.tilt_deg[0, :count] = fit.covariance[:, :3, :3], fit.tilt_deg
+    size_sigma = np.sqrt(fit.covariance.diagonal(axis1=1, axis2=2)[:, 3:])
+    jaws.size_mm[0, :count] = np.stack([fit.values[:, 3:], size_sigma], axis=2)
     jaws.odds[:], jaws.p_value[:] = 1.0, fit.p_value
     return jaws
 

@@ -14,13 +14,13 @@ from design.errors import DAMAGED_CONTENT, StoreError
 from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.jaws import JawTable
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.model.noise import Disturbances
 from estimator.inversion.model.spline import cubic_axis
 from estimator.inversion.model.table import PressTable
 from estimator.inversion.priors import Priors
 from estimator.signals.nuisances import Nuisance
+from fem.contact.jaw import JawFace
 
 _KIND = FileKind(
     "estimators that invert the forward model",
@@ -40,7 +40,7 @@ _KIND = FileKind(
         "offset_counts": ("channel", "count"),
         "model_error": ("channel", "1"),
         "nuisances": ("channel unknown", "count"),
-        "jaws": ("jaw lean lean_y jaw_column", "N/mm, N, mm/mm or rad/mm"),
+        "jaws": ("jaw cell jaw_column", "mm^3/MPa, mm/N or rad/N"),
         "jaw_faces": ("jaw", "1"),
         "jaw_half_mm": ("jaw axis", "mm"),
     },
@@ -49,7 +49,7 @@ _KIND = FileKind(
         *("jaws", "jaw_faces", "jaw_half_mm"),
     ),
     attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
-    schema=("inversion_schema", 3),
+    schema=("inversion_schema", 4),
     origin="`instobj train SPEC` makes one",
     remedy="Train it anew",
     others={
@@ -96,14 +96,21 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
     write_netcdf(_KIND, path, values, attributes)
 
 
-def _jaw_values(tables: tuple[JawTable, ...]) -> dict[str, np.ndarray | None]:
+def _jaw_values(tables: tuple[JawFace, ...]) -> dict[str, np.ndarray | None]:
     if not tables:
         return dict.fromkeys(("jaws", "jaw_faces", "jaw_half_mm"))
     return {
-        "jaws": np.stack([jaw.values for jaw in tables]).astype(np.float32),
+        "jaws": np.stack(
+            [np.hstack([jaw.compliance, jaw.motion.reshape(len(jaw.motion), -1)]) for jaw in tables]
+        ).astype(np.float32),
         "jaw_faces": np.array([jaw.face for jaw in tables]),
         "jaw_half_mm": np.stack([jaw.half_mm for jaw in tables]),
     }
+
+
+def _compliance_and_motion(table: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    compliance, motion = np.split(table, [len(table)], axis=1)
+    return compliance, motion.reshape(len(table), -1, 6)
 
 
 def load_inversion(path: Path | str) -> Inversion:
@@ -163,7 +170,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
     if "jaws" in values:
         columns = (values[name] for name in ("jaw_faces", "jaw_half_mm", "jaws"))
         jaw_tables = tuple(
-            JawTable(int(face), half, table.astype(float))
+            JawFace(int(face), half, *_compliance_and_motion(table.astype(float)))
             for face, half, table in zip(*columns, strict=True)
         )
     described = json.loads(attributes["priors"])

@@ -170,7 +170,7 @@ class Tracker:
             return None
         (last, reading), self._jaws, self._last = self._jaws, None, None
         fit = self.inversion.jaws.refit(plain, last)
-        force, sigma = fit.pose[:, 0], np.sqrt(fit.covariance[:, 2, 2])
+        force, sigma = fit.values[:, 2], np.sqrt(fit.covariance[:, 2, 2])
         if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
             return None
         return self._believe_jaws(fit, reading)

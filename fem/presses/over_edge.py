@@ -31,7 +31,7 @@ from fem.linear.sparse import rows_of
 from fem.mesh.tetrahedra import TetMesh, tetrahedralize
 from fem.presses.joint import JointPress, Tip
 
-_FINEST_EDGE, _FINE_RADII, _FAR_RADII = 0.3, 0.7, 2.5
+_FINEST_EDGE, _FINE_RADII, _FAR_RADII = 0.15, 0.35, 2.5
 """Edges at the place in `mesh.surface_edge_mm`; so far from it, in radii of the tip, they stay, and so
 far they have grown to those of the bulk."""
 _STEEPEST = 0.05

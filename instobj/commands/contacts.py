@@ -45,7 +45,7 @@ COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
     *("chip_out", *FIELD, "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
     *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
-    *("kind", "tilt_x_deg", "tilt_y_deg"),
+    *("kind", "tilt_x_deg", "tilt_y_deg", "size_x_mm", "size_y_mm", "size_halfwidth_mm"),
 )
 
 
@@ -99,7 +99,7 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         "frames with contact": int((best.number > 0).sum()),
         "most contacts": int(best.number.max(initial=0)),
         "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
-        "frames with jaws over whole faces": int(best.jaws.sum()),
+        "frames with jaws": int(best.jaws.sum()),
         "frames that no contact explains": int((~best.explained).sum()),
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
         "condition of the object": str(condition),
@@ -107,9 +107,8 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
     texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
     if best.jaws.any():
         texts.append(
-            f"{int(best.jaws.sum())} frames are read as flat jaws that cover whole faces. Of a jaw that is "
-            "smaller or hangs over a border force and centre are wrong, and the frame may not show it "
-            "(docs/measured/presses.md)"
+            f"{int(best.jaws.sum())} frames are read as flat jaws. Size and force of a jaw that covers a "
+            "part of a face are uncertain together: take the half-widths with them"
         )
     tables = {f"{path.name}, {model_path.name}": [summary]}
     files = [target] if mcap is None else [target, mcap]
@@ -252,6 +251,9 @@ def _rows(
                 "tangential_sigma_n": best.tangential_sigma_n[row, slot].max(),
                 "tilt_x_deg": best.tilt_deg[row, slot, 0],
                 "tilt_y_deg": best.tilt_deg[row, slot, 1],
+                "size_x_mm": best.size_mm[row, slot, 0, 0],
+                "size_y_mm": best.size_mm[row, slot, 1, 0],
+                "size_halfwidth_mm": best.size_halfwidth_mm[row, slot],
             }
             kind = {"kind": "jaw" if best.jaws[row] else "tip"}
             rounded = {

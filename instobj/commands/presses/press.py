@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 MATERIALS = ("neo-hookean", "yeoh", "ogden")
 _STEP_MM = 0.25
 """Depth of a step of the press, at most."""
-_VERSION = 3
+_VERSION = 4
 """Version of the stored press; raised when its code gives another result."""
 _SHAPE_OF_BODY = ("arrangement", "body", "shell", "magnets", "sensors", "mesh")
 

@@ -51,9 +51,9 @@ def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
 def make_inversion(context: StageContext, folder: Path) -> None:
     """The estimator of the design, as wrong as `[tolerances]` make it."""
     from estimator.inversion.inversion import inversion
-    from estimator.inversion.jaws import jaw_tables
     from estimator.inversion.model.noise import design_error
     from estimator.inversion.storage import save_inversion
+    from fem.presses.jaws import coverable_faces, jaw_faces
 
     forces, motions = context.read(PRESSES)
     signals = context.read(SIGNALS)
@@ -63,8 +63,9 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     shear = stored_shear(context)
     context.step("tables of presses")
     tips = inversion(context.spec, forces, motions, signals, error, modulus, shear)
-    context.step("tables of jaws over whole faces")
-    jaws = jaw_tables(context.spec, context.read(RESPONSE))
+    context.step("faces for jaws")
+    flat = coverable_faces(context.spec)
+    jaws = jaw_faces(context.spec, context.read(RESPONSE), flat) if flat else ()
     save_inversion(replace(tips, jaw_tables=jaws), INVERSION.path(folder))
 
 

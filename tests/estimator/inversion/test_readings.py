@@ -27,6 +27,7 @@ def sets(covariance, face=(3, 0)):
         np.full(len(one), -1),
         *[np.zeros((len(one), 0))] * 2,
         np.full_like(xy, np.nan),
+        np.full((*xy.shape, 2), np.nan),
     )
 
 

@@ -174,6 +174,7 @@ def test_the_radius_holds_nine_of_ten_places(ratio):
         np.full(1, -1),
         *[np.zeros((1, 0))] * 2,
         np.full((1, 1, 2), np.nan),
+        np.full((1, 1, 2, 2), np.nan),
     )
     assert_allclose(
         np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012

@@ -277,6 +277,7 @@ EXPLAINED = ContactSets(
     np.zeros((1, 1), int), np.zeros((1, 1, 2)), np.zeros((1, 1)), np.zeros((1, 1, 3, 3)),
     np.zeros((1, 1, 2)), np.zeros((1, 1, 2)), np.ones(1), np.ones(1), np.full(1, NONE),
     np.zeros((1, 0)), np.zeros((1, 0)), np.full((1, 1, 2), np.nan),
+    np.full((1, 1, 2, 2), np.nan),
 )  # fmt: skip
 
 

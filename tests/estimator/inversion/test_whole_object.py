@@ -152,6 +152,7 @@ def test_regions_widen_by_an_error_common_to_all_forces():
     sets = ContactSets(
         np.array([[3, 4]]), np.zeros((1, 2, 2)), np.array([[2.0, 5.0]]), covariance, pulls, pulls,
         np.ones(1), np.array([1e-3]), np.full(1, -1), *[np.zeros((1, 0))] * 2, pulls,
+        np.full((1, 2, 2, 2), np.nan),
     )  # fmt: skip
     found = sets.with_force_error(0.1)
     assert_allclose(found.covariance[0, :, 2, 2], [0.16 + 0.04, 0.16 + 0.25])

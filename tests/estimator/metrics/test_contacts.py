@@ -27,6 +27,7 @@ def sets_of(face, xy, force):
         np.full(len(ones), -1),
         *[np.zeros((len(ones), 0))] * 2,
         pulls,
+        np.full((*pulls.shape, 2), np.nan),
     )
 
 

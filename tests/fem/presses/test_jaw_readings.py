@@ -11,12 +11,12 @@ import pytest
 from design.spec.object import ContactGridSpec, IndenterSpec, MeshSpec
 from estimator.information.jaws import signals_of_motions
 from estimator.inversion.inversion import inversion
-from estimator.inversion.jaws import jaw_tables
 from estimator.inversion.storage import load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
 from estimator.signals.presses import press_signals
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize
+from fem.presses.jaws import jaw_faces
 from fem.presses.joint import Tip, press_tips
 from fem.presses.table import simulate_lattice
 
@@ -35,7 +35,7 @@ def reader(spec, rigid_response, tmp_path_factory):
     forces, motions = simulate_lattice(spec, rigid_response)
     tips = inversion(spec, forces, motions, press_signals(spec, forces, motions), 0.03, 0.0)
     path = tmp_path_factory.mktemp("jaws") / "contacts.nc"
-    save_inversion(replace(tips, jaw_tables=jaw_tables(spec, rigid_response)), path)
+    save_inversion(replace(tips, jaw_tables=jaw_faces(spec, rigid_response)), path)
     return load_inversion(path)
 
 
@@ -84,6 +84,32 @@ def worst_of_poses(spec, reader, response):
 
 def test_two_jaws_are_read_and_are_no_tips(spec, reader, rigid_response):
     assert (worst_of_poses(spec, reader, rigid_response) < [0.05, 1.0, 2.0]).all()
+
+
+PARTS = (((42.0, 42.0), (21.0, 0.0)), ((60.0, 20.0), (0.0, 0.0)), ((30.0, 30.0), (12.0, 12.0)))
+"""Edges of jaws (mm) and where their middles lie: half over the border, a bar, over a corner."""
+
+
+@pytest.mark.parametrize(("size", "place"), PARTS)
+def test_jaws_over_parts_of_faces_are_no_tips(spec, reader, rigid_response, size, place):
+    """Force within 10 %, and within its interval; centre of pressure within 1 mm; size within 5 mm or what
+    is said of it."""
+    tips = [Tip(face, *place) for face in (3, 5)]
+    jaw = {"kind": "cuboid", "size_mm": size, "turn_deg": (0.0, 0.3, 0.2)}
+    counts, press = frame_of(spec, rigid_response, tips, 0.9, **jaw)
+    read, _ = reader.read(counts[None])
+    assert read.jaws.all()
+    assert read.explained.all()
+    assert read.face[0, :2].tolist() == [3, 5]
+    away = abs(read.force_n[0, :2] - press.force_n)
+    assert (away < 0.1 * press.force_n).all()
+    assert (away < 2 * read.force_halfwidth_n[0, :2]).all()
+    away = read.xy_mm[0, :2] - press.centre_mm - place
+    assert (np.linalg.norm(away, axis=1) < 1.0).all()
+    half, middle = np.array(size) / 2, np.array(place)
+    covered = np.minimum(middle + half, 21.0) - np.maximum(middle - half, -21.0)
+    away = abs(read.size_mm[0, :2, :, 0] - covered)
+    assert (away < 5.0 + 2 * read.size_halfwidth_mm[0, :2, None]).all()
 
 
 def test_tips_are_no_jaws(spec, reader, rigid_response):
