@@ -126,7 +126,7 @@ class Explorer:
 
     @property
     def first_force_n(self) -> float:
-        """The force that a page opens at: that of `forces_n` nearest to the one that locations are judged at."""
+        """The force that a page opens at: of `forces_n` the nearest to `score.force_n`."""
         return min(self.forces_n, key=lambda force: abs(force - self.spec.score.force_n))
 
     @property
