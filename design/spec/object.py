@@ -96,6 +96,12 @@ class ObjectSpec(SpecPart):
         """Forces at which a search judges layouts: `search.forces_n`, or `score.force_n` alone."""
         return self.search.forces_n or (self.score.force_n,)
 
+    @property
+    def pressed_forces_n(self) -> tuple[float, ...]:
+        """Forces to which the shell without magnets is pressed: those of a search and `score.force_n`, from
+        the least to the largest."""
+        return tuple(sorted({*self.scoring_forces_n, self.score.force_n}))
+
     @model_validator(mode="after")
     def _element_takes_the_material(self) -> ObjectSpec:
         nu, element = self.silicone.poisson_ratio, self.mechanics.element

@@ -98,7 +98,7 @@ def simulate_candidates(
 ) -> CandidateMotions:
     """Press every place of the lattice on a magnet-free mesh, record every candidate, write the folder.
 
-    Presses go to `force_shares` of every one of `spec.scoring_forces_n`, or of less where the deepest
+    Presses go to `force_shares` of every one of `spec.pressed_forces_n`, or of less where the deepest
     simulated press does not reach the largest share. Between simulated depths pressures are interpolated
     linearly: forces and equilibrium stay exact. A slip of the core is left out. Contact of each face is
     kept in the folder `unfinished`, from which a run that was broken off goes on.
@@ -181,7 +181,7 @@ def presses_at_forces(
     pressed = np.concatenate([np.zeros_like(pressed[:, :1]), pressed], axis=1)
     reached = pressed @ surface_weights_mm2(response.surfaces[face_index])
     shares = np.asarray(force_shares)
-    most = np.minimum(np.array(spec.scoring_forces_n), reached[:, -1:] / shares.max())
+    most = np.minimum(np.array(spec.pressed_forces_n), reached[:, -1:] / shares.max())
     force = (shares * most[:, :, None]).reshape(len(places), -1)
     after = np.argmax(reached[:, None] >= force[:, :, None] * (1 - 1e-12), axis=2)
     place = np.arange(len(places))[:, None]

@@ -125,6 +125,11 @@ class Explorer:
     coarse: bool = False
 
     @property
+    def first_force_n(self) -> float:
+        """The force that a page opens at: of `forces_n` the nearest to `score.force_n`."""
+        return min(self.forces_n, key=lambda force: abs(force - self.spec.score.force_n))
+
+    @property
     def grid(self) -> PlaceGrid:
         """Contact locations of the grid; a face may have some of them only."""
         return next(iter(self.presses.values()))[0][0].places
@@ -299,7 +304,7 @@ def summary_of(values: Float[np.ndarray, "face place"]) -> Summary:
 
 
 def open_explorer(spec: ObjectSpec) -> Explorer:
-    """Set up the mechanics of a specification's shell at `spec.scoring_forces_n`, as the search's; it takes
+    """Set up the mechanics of a specification's shell at `spec.pressed_forces_n`, as the search's; it takes
     minutes where none is stored.
 
     Raises
@@ -308,7 +313,7 @@ def open_explorer(spec: ObjectSpec) -> Explorer:
         Refused by `require_scorable`, or mechanics that fails.
     """
     require_scorable(spec)
-    forces_n = tuple(sorted(spec.scoring_forces_n))
+    forces_n = spec.pressed_forces_n
     tables = [
         (variant, load_candidates(Run(variant, checked=False).require("candidates").folder))
         for variant in size_variants(spec)
@@ -330,7 +335,7 @@ def open_coarse_explorer(spec: ObjectSpec) -> Explorer:
         Refused by `require_scorable`, or a shell or a face without room for candidates.
     """
     require_scorable(spec)
-    forces_n, few = tuple(sorted(spec.scoring_forces_n)), coarse(spec)
+    forces_n, few = spec.pressed_forces_n, coarse(spec)
     by_force = [few.changed(score=few.score.changed(force_n=force)) for force in forces_n]
     presses = {}
     for face in spec.body.sensed:

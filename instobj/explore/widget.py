@@ -50,9 +50,8 @@ class DesignView(ObjectView):
         session, spec = Session(explorer, source), explorer.spec
         self._answers = Answers(session, ThreadPoolExecutor(1))
         self._tasks = set[asyncio.Task[None]]()
-        forces = explorer.forces_n
         super().__init__(
-            scene=session.scene(spec), design=design_of(spec), force_n=forces[len(forces) // 2]
+            scene=session.scene(spec), design=design_of(spec), force_n=explorer.first_force_n
         )
         self.on_msg(lambda _, message, __: self._begin(self._answer(message)))
         self.observe(

@@ -120,7 +120,7 @@ def search_seconds(spec: ObjectSpec) -> SearchSeconds:
     curved = not all(frame.flat for frame in face_frames(spec))
     mesh = (_CURVED_MESH_S if curved else _MESH_S) * vertices
     response = _RESPONSE_S * (nodes / _CUBE_NODES) ** 1.5
-    presses = 2 * len(spec.scoring_forces_n) * int(pressed_nodes(spec).sum())
+    presses = 2 * len(spec.pressed_forces_n) * int(pressed_nodes(spec).sum())
     patterns = min(presses, _PATTERNS_PER_LOAD * _face_loads(spec))
     solves = patterns * _SOLVE_S * (nodes / _CUBE_NODES) ** 1.25
     return SearchSeconds(mesh + 1.5 * response + solves, mesh + response)

@@ -35,24 +35,13 @@ from estimator.layouts.surfaces import Surface, surfaces
 from estimator.signals.continuation import continued
 from fem.candidates.motions import CandidateMotions, FaceCandidates
 
-OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
-"""Singular vectors of the pressed face's basis, for each contact location and at least.
-
-Chosen by what the bounds lose and what time they take. On the paper's cube (100 places, fourteen
-layouts, 2 and 12 N) the bounds are off by 1.4 % with 100 vectors (rms; 13 % at most; the worst one by
-1.6 %), by 0.6 % with 130 (5 %; 1.2 %) and by 0.3 % with 160 (3 %; 0.6 %). 200 cost 1.4 times as much as 130.
-"""
 OTHER_RANK = 40
 """Singular vectors of the other faces' basis, which move less.
 
 With 40 those bounds are off by 0.2 % (1.4 % at most; the worst one by 0.4 %), with 60 by 0.1 %.
 """
 MORE_RANK = 1.2
-"""Factor of the number of vectors that serve several forces at once.
-
-On that cube 156 and 48. Measured there at 2, 5 and 12 N: with 150 and 56 vectors the bounds are off by
-0.5 % (6 % at most; the worst one by 1.5 %), with 182 and 56 by 0.3 % (3 %; 0.7 %).
-"""
+"""Factor of that number where the vectors serve several forces at once."""
 STRAIN_RANK = 96
 """Vectors on which the strain round magnets is kept, for what they take from each other.
 
@@ -179,8 +168,8 @@ def press_bases(
 
     Parameters
     ----------
-    own_rank, other_rank : `OWN_RANK_PER_PLACE` for each place by default, and `OTHER_RANK`, or
-        `MORE_RANK` times as many for several forces: where little is seen, little may be left out
+    own_rank, other_rank : vectors of each basis; by default as many as leave out no more than
+        `compression.LEFT_OUT`, and `OTHER_RANK`, or `MORE_RANK` times as many for several forces
 
     Raises
     ------
@@ -198,8 +187,7 @@ def press_bases(
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     lattice = lattices[face] if differ else motions.candidates[0]
     more = MORE_RANK if len(forces_n) > 1 else 1.0
-    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * has_place.sum()))
-    ranks = own_rank or int(more * least), other_rank or int(more * OTHER_RANK)
+    ranks = own_rank, other_rank or int(more * OTHER_RANK)
     # Quantities of one force follow those of another: 4 for each (∂x, ∂y, ∂F, the motion itself).
     of_modes = np.concatenate(
         [press_derivatives(motions, face, force, located) for force in forces_n], axis=1
@@ -250,7 +238,7 @@ def _tables(
     here: FaceFrame,
     adjacent: Sequence[int],
     of_modes: Float[np.ndarray, "mode quantity place"],
-    ranks: tuple[int, int],
+    ranks: tuple[int | None, int],
     dtype: torch.dtype,
 ) -> tuple[RowTable, RowTable, StrainCoupling]:
     """Return the tables of the pressed face and of its neighbours, and how its magnets move each other."""

@@ -49,8 +49,7 @@ def layer_of(spec: ObjectSpec) -> Layer:
 def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> PressBasis:
     """Return presses of one face to `score.force_n`, of the sensed faces' own contact locations.
 
-    All that the presses tell is kept. 1.3 vectors a place are enough for places 3 mm apart on a mesh; places
-    7 mm apart had up to 60 times too small bounds with them.
+    All that the presses tell is kept.
 
     Raises
     ------

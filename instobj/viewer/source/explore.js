@@ -101,7 +101,7 @@ export async function startExplore(root, model) {
   find("disturbed").disabled = Boolean(held);
   content.silicones.forEach((name) => find("silicone").append(new Option(name)));
   find("of-size").hidden = !content.sizable;
-  find("force").value = String(content.forces_n[Math.floor(content.forces_n.length / 2)]);
+  find("force").value = String(content.first_force_n);
 
   const view = makeView(find("canvas"), content.size_mm);
   const alwaysThere = new Set(view.scene.children);

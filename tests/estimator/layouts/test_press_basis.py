@@ -10,10 +10,17 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import grid_places_in_lattice, press_lattice
-from design.spec.object import ObjectSpec
+from design.spec.object import BodySpec, ContactGridSpec, ObjectSpec
+from estimator.layouts.batch_scores import position_bounds
 from estimator.layouts.presses import basis, compression, mixed_rows
+from estimator.layouts.scorer import layout_scorer
 from fem.candidates.motions import FaceCandidates
-from tests.support.mechanics.candidate_cases import FACE
+from tests.support.mechanics.candidate_cases import (
+    FACE,
+    made_up_motions,
+    made_up_spec,
+    random_layouts,
+)
 
 CUBE = ObjectSpec(name="cube")
 
@@ -179,3 +186,19 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
                 mixed_rows.rows_around(presses, place, inside[:1])
             place[0, axis] -= 0.75 * beyond
             mixed_rows.rows_around(presses, place, inside[:1])
+
+
+def test_bounds_of_places_far_apart_are_those_of_all_vectors():
+    """Of 147 independent vectors 63, 1.3 for each place, had bounds 0.92 to 1.18 times as large."""
+    grid, body = ContactGridSpec(count=(7, 7), pitch_mm=8.0), BodySpec(size_mm=(60.0, 60.0, 60.0))
+    spec = made_up_spec(ObjectSpec(name="cube", contact_grid=grid, body=body))
+    motions, layouts = made_up_motions(spec, pitch_mm=4.0), random_layouts(3, seed=1)
+    few, every = (
+        position_bounds(
+            [layout_scorer(spec, basis.press_basis(spec, motions, FACE, own_rank=rank))], [layouts]
+        )[0].numpy()
+        for rank in (None, 4 * 49)
+    )
+    near = every < 10  # mm; farther off presses move next to nothing
+    assert near.sum() > 40
+    assert_allclose(few[near], every[near], rtol=0.03)
