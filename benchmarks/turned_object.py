@@ -106,7 +106,8 @@ def _of_body(body: str, quick: bool, frames: int) -> list[Result]:
         of_design = _of_objects(spec, pressed, drawn, rng)
         rows.append(state | _row(design, *of_design, "design"))
         for which, reader in enumerate(twin_readers):
-            some = tuple(part[which::twins] for part in pressed)
+            face, xy, force, motion = (part[which::twins] for part in pressed)
+            some = face, xy, force, motion
             of_twin = _of_objects(spec, some, drawn[which : which + 1], rng)
             rows.append(state | _row(reader, *of_twin, f"twin {which + 1}"))
     return rows

@@ -68,8 +68,9 @@ LEAST_FRAMES = 5
 """Frames of the stretch that is judged, at least."""
 REMEMBERED_S = 600.0
 """Time over which drift that was followed is forgotten."""
-_STEP_SHARE = 0.5
-"""Step between two still levels that may end a press, as a share of the change that showed it, at least."""
+_LIKE = 0.7
+"""Cosine from which a step between two still levels has a press's shape. Noise and an error of the zero as
+large as two thirds of the press leave 0.7."""
 _FRAME_S = 0.1
 """Between frames without time stamps."""
 _WINDOW_S = 0.6
@@ -132,7 +133,8 @@ class RestZero:
     largest_n: float = 0.0
     _followed: np.ndarray = field(default_factory=lambda: np.zeros(1))
     _held: np.ndarray | None = None
-    _press: tuple[float, float] = (0.0, 0.0)
+    _press_n: float = 0.0
+    _press: np.ndarray = field(default_factory=lambda: np.zeros(1))
 
     def __post_init__(self) -> None:
         if self.frames < LEAST_FRAMES:
@@ -155,6 +157,7 @@ class RestZero:
         elapsed_s, self.now_s = now_s - self.now_s, now_s
         if is_pause(elapsed_s):
             self.window.clear()
+            self._held = None
             self.loaded_s = min(self.loaded_s, now_s)
             self._judged_s = -math.inf
         self.window.append((now_s, raw))
@@ -190,7 +193,8 @@ class RestZero:
         still = self.read(change, len(self.window))
         let_go, self._held = self._is_let_go(level), level
         if still.contact >= 0.5 and still.explained is not False:
-            self._press = max(self._press, (still.force_n, float(change @ change)))
+            if still.force_n > self._press_n:
+                self._press_n, self._press = still.force_n, change
         if let_go:
             self.start(level)
             self.largest_n = 0.0
@@ -208,16 +212,14 @@ class RestZero:
 
     def _is_let_go(self, level: Float[np.ndarray, "channel"]) -> bool:
         """Return whether the step from the still level before is all that pressed, turned round."""
-        force_n, square = self._press
-        if self._held is None or force_n < PRESS_FORCE_N:
+        if self._held is None or self._press_n < PRESS_FORCE_N:
             return False
         step = self._held - level
-        # a press that goes on is no step: it is not read, as that takes time
-        if step @ step < _STEP_SHARE**2 * square:
+        # cosine of the angle between both: a press that goes on, and drift, are not like it
+        if step @ self._press < _LIKE * math.sqrt((step @ step) * (self._press @ self._press)):
             return False
         # what a reader has come to believe of magnets and chips while all drifted is no matter here
-        ended_n = self.read(step, len(self.window)).force_n
-        return abs(ended_n - force_n) <= RETURN_SHARE * force_n
+        return self.read(step, len(self.window)).force_n >= (1 - RETURN_SHARE) * self._press_n
 
     def _is_from_press(self, change: Float[np.ndarray, "channel"], force_n: float) -> bool:
         """Return whether the zero reads as a press, seen from a level of that force."""
@@ -228,7 +230,7 @@ class RestZero:
         """Take a level for the zero, with nothing followed yet."""
         self.level, self._followed, self.rested_s = level, np.zeros(len(level)), self.now_s
         self.starts, self.from_press = self.starts + 1, False
-        self._held, self._press = None, (0.0, 0.0)
+        self._held, self._press_n = None, 0.0
 
     def _follow(self, change: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
         """Go towards a level that is rest; back, where all that was followed lately is a press."""
