@@ -6,6 +6,8 @@ hides below the noise. A still level becomes the zero
 
 - at once, when it reads as less than 15 % of the largest force of a press that ended within the last
   5 s: silicone shows hysteresis of up to 10 %, and a new mounting shifts the rest;
+- at once, when the step from the still level before is the whole press turned round: then the press was
+  let go, however far chips drifted while it lasted, as a step has the press's shape and drift has none;
 - at once, when no press explains it, but the zero read from it is one: then the zero was taken
   while something touched;
 - by at most 1 count/s, when it reads as no contact: drift.
@@ -66,6 +68,9 @@ LEAST_FRAMES = 5
 """Frames of the stretch that is judged, at least."""
 REMEMBERED_S = 600.0
 """Time over which drift that was followed is forgotten."""
+_LIKE = 0.7
+"""Cosine from which a step between two still levels has a press's shape. Noise and an error of the zero as
+large as two thirds of the press leave 0.7."""
 _FRAME_S = 0.1
 """Between frames without time stamps."""
 _WINDOW_S = 0.6
@@ -127,6 +132,9 @@ class RestZero:
     loaded_s: float = -math.inf
     largest_n: float = 0.0
     _followed: np.ndarray = field(default_factory=lambda: np.zeros(1))
+    _held: np.ndarray | None = None
+    _press_n: float = 0.0
+    _press: np.ndarray = field(default_factory=lambda: np.zeros(1))
 
     def __post_init__(self) -> None:
         if self.frames < LEAST_FRAMES:
@@ -149,6 +157,7 @@ class RestZero:
         elapsed_s, self.now_s = now_s - self.now_s, now_s
         if is_pause(elapsed_s):
             self.window.clear()
+            self._held = None
             self.loaded_s = min(self.loaded_s, now_s)
             self._judged_s = -math.inf
         self.window.append((now_s, raw))
@@ -182,7 +191,14 @@ class RestZero:
             return
         change = level - self.level
         still = self.read(change, len(self.window))
-        if not still.explained and self._is_from_press(change, still.force_n):
+        let_go, self._held = self._is_let_go(level), level
+        if still.contact >= 0.5 and still.explained is not False:
+            if still.force_n > self._press_n:
+                self._press_n, self._press = still.force_n, change
+        if let_go:
+            self.start(level)
+            self.largest_n = 0.0
+        elif not still.explained and self._is_from_press(change, still.force_n):
             self.start(level)
             self.largest_n, self.from_press = 0.0, True
         elif still.explained is False:
@@ -194,6 +210,17 @@ class RestZero:
         elif still.contact < 0.5 or still.force_n < LEAST_FORCE_N:
             self._follow(change, elapsed_s)
 
+    def _is_let_go(self, level: Float[np.ndarray, "channel"]) -> bool:
+        """Return whether the step from the still level before is all that pressed, turned round."""
+        if self._held is None or self._press_n < PRESS_FORCE_N:
+            return False
+        step = self._held - level
+        # cosine of the angle between both: a press that goes on, and drift, are not like it
+        if step @ self._press < _LIKE * math.sqrt((step @ step) * (self._press @ self._press)):
+            return False
+        # what a reader has come to believe of magnets and chips while all drifted is no matter here
+        return self.read(step, len(self.window)).force_n >= (1 - RETURN_SHARE) * self._press_n
+
     def _is_from_press(self, change: Float[np.ndarray, "channel"], force_n: float) -> bool:
         """Return whether the zero reads as a press, seen from a level of that force."""
         turned = self.read(-change, len(self.window))
@@ -203,6 +230,7 @@ class RestZero:
         """Take a level for the zero, with nothing followed yet."""
         self.level, self._followed, self.rested_s = level, np.zeros(len(level)), self.now_s
         self.starts, self.from_press = self.starts + 1, False
+        self._held, self._press_n = None, 0.0
 
     def _follow(self, change: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
         """Go towards a level that is rest; back, where all that was followed lately is a press."""

@@ -98,6 +98,27 @@ def test_a_long_hold_is_no_rest():
     assert abs(held.mean() - force_n.max()) < 0.5
 
 
+def read_what_fits(change, frames=1):
+    """The same where a press or rest leaves 40 counts (rms) at most; else neither explains the change."""
+    still = read(change, frames)
+    left = change - still.force_n * GAIN
+    return still._replace(explained=bool(np.sqrt(np.mean(left**2)) < 40.0))
+
+
+@pytest.mark.parametrize(("kept_n", "levels"), [(0.4, 2), (3.0, 1)])
+def test_a_press_is_let_go_by_the_shape_of_the_step_however_chips_drifted(kept_n, levels):
+    """Chips drift apart by 300 counts in a hold, so that nothing explains what is seen; then it ends, and
+    creep of the silicone stays, or a part of the press."""
+    force_n = np.concatenate([np.zeros(30), np.full(200, 8.0), np.full(60, kept_n)])
+    ramp = np.clip(np.arange(len(force_n)) - 45, 0, 150)[:, None] / 150
+    drift = 300.0 * ramp * [1.0, 1.0, -1.0, -1.0, 1.0, -1.0]
+    noise = np.random.default_rng(1).normal(0, 20, drift.shape)
+    raw, zero = 700 + GAIN * force_n[:, None] + drift + noise, RestZero(8, read_what_fits)
+    followed(raw, zero)
+    assert zero.starts == levels
+    assert (abs(zero.level - raw[-20:].mean(axis=0)).max() < 30) == (levels == 2)
+
+
 @pytest.mark.parametrize(("rate_n_per_s", "seen"), [(0.1, True), (0.004, False)])
 def test_a_slow_press_is_seen_and_a_slower_one_is_drift(rate_n_per_s, seen):
     """The price that the module names: between these rates of force lies the limit."""
