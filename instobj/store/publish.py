@@ -127,7 +127,7 @@ def stage_row(result: StoredResult) -> dict[str, Any]:
 def object_row(
     spec: ObjectSpec, results: Iterable[StoredResult], summary: dict[str, Any], files: list[Path]
 ) -> dict[str, Any]:
-    """What a command made of one object as JSON."""
+    """Return what a command made of one object, as JSON."""
     return {
         "name": spec.name,
         "spec_hash": spec_hash(spec),
