@@ -19,7 +19,7 @@ from typing import Any
 import card_inversion
 import numpy as np
 import torch
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 from search_engines import EXAMPLE, OUTWARD, OVER_START
 
 from design.search.places import polarities
@@ -149,5 +149,4 @@ def report(found: Result) -> str:
 
 
 if __name__ == "__main__":
-    options = option_parser(__doc__.splitlines()[0]).parse_args()
-    conclude("graphics_card", options, measure(options.quick), report)
+    run(measure, report)

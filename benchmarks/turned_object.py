@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 from scipy.stats import kstest
 
 from design.layout.places.contact_grid import contact_grid
@@ -150,13 +150,5 @@ def report(result: Result) -> str:
     return "\n".join(lines)
 
 
-def main() -> None:
-    """Measure, write, print."""
-    parser = option_parser(__doc__ or "")
-    parser.add_argument("--frames", type=int, default=400, help="of each number of contacts")
-    options = parser.parse_args()
-    conclude("turned_object", options, measure(options.quick, options.frames), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report, frames=(int, 400, "of each number of contacts"))
