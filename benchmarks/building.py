@@ -9,14 +9,13 @@ processor time on one thread, the least of several runs. Writes `building.json`.
 
 from __future__ import annotations
 
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import trimesh
-from harness import best_seconds, conclude, machine, option_parser
+from harness import best_seconds, machine, run
 from scipy.spatial import ConvexHull
 
 from design.build.export import build_object
@@ -119,17 +118,11 @@ def report(result: dict[str, Any]) -> str:
     )
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, write, print."""
-    options = option_parser("From a specification to parts").parse_args(arguments)
+def whole(quick: bool) -> dict[str, Any]:
+    """Figures, and what they were measured on."""
     here = machine(1, ("numpy", "cadquery", "cadquery-ocp", "trimesh", "manifold3d", "pyvista"))
-    conclude(
-        "building",
-        options,
-        {"machine": here, "quick": options.quick, **measure(options.quick)},
-        report,
-    )
+    return {"machine": here, "quick": quick, **measure(quick)}
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run(whole, report)

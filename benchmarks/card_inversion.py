@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 from scipy.optimize import linear_sum_assignment
 
 from estimator.field.device import SWITCH
@@ -184,13 +184,5 @@ def report(found: Result) -> str:
     )
 
 
-def main() -> None:
-    """Command line."""
-    parser = option_parser((__doc__ or "").splitlines()[0])
-    parser.add_argument("--contacts", type=Path, help="contacts.nc of an estimator")
-    options = parser.parse_args()
-    conclude("card_inversion", options, measure(options.quick, options.contacts), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report, contacts=(Path, None, "contacts.nc of an estimator"))

@@ -15,7 +15,7 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 
 from design.spec_io import load_spec
 from instobj.stages.run import Run
@@ -76,13 +76,5 @@ def report(result: Result) -> str:
     return "\n".join([*rows, f"{'all':12s} {result['all_s']:7.1f} s"])
 
 
-def main() -> None:
-    """Command line."""
-    parser = option_parser(__doc__ or "")
-    parser.add_argument("--mesh", type=Path, help="store whose mesh is taken")
-    options = parser.parse_args()
-    conclude("chain", options, measure(options.quick, options.mesh), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report, mesh=(Path, None, "store whose mesh is taken"))

@@ -1,13 +1,12 @@
-"""Layouts, fields and contacts on a graphics card beside one core of the processor, in one run.
+"""Layouts and contacts on a graphics card beside one core of the processor, in one run.
 
     python benchmarks/graphics_card.py [--quick] [--out FOLDER]
 
 Layouts: random ones of `examples/search_cube.toml`, judged as a search judges them (two faces, three
 forces, limits): a generation of one layout at a time on the processor, as the search does, and in
-batches on the card; then whole runs of CMA-ES, side by side on the card. Fields: all pairs of 15 sensors
-and 25 magnets under many presses, with a multipole series. How far the results of both agree stands
-beside each ratio. Contacts of many frames: `card_inversion.py`, which runs by itself too. Wall clock, one
-thread; ratios of layouts and fields to two cores are half of those to one. Needs CUDA. Writes
+batches on the card; then whole runs of CMA-ES, side by side on the card. How far the results of both
+agree stands beside each ratio. Contacts of many frames: `card_inversion.py`, which runs by itself too.
+Wall clock, one thread; the ratio of layouts to two cores is half of that to one. Needs CUDA. Writes
 `graphics_card.json`.
 """
 
@@ -20,16 +19,13 @@ from typing import Any
 import card_inversion
 import numpy as np
 import torch
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 from search_engines import EXAMPLE, OUTWARD, OVER_START
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, search_space
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.field.batched import batched_field
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
 from estimator.layouts.polish import LowestFidelity, judge, polish, population, runs_together
 from instobj.search.lowest_fidelity import start_scores, structure_fidelity
 from instobj.stages.run import Run
@@ -64,7 +60,6 @@ def measure(quick: bool) -> Result:
         "machine": machine(1, ["torch", "numpy"]),
         "card": torch.cuda.get_device_name(),
         "layouts": layouts(space, lowest, quick),
-        "fields": fields(space.spec, quick),
         "inversion": inversion,
     }
 
@@ -135,33 +130,9 @@ def _largest_share(one: torch.Tensor, other: torch.Tensor) -> float:
     return float((other.cpu() / one.cpu() - 1).abs().max())
 
 
-def fields(spec: ObjectSpec, quick: bool) -> Result:
-    """Pairs a second of the batched field, and its largest difference over the largest field."""
-    rng = np.random.default_rng(1)
-    presses, model = 100 if quick else 20_000, field_model(magnet_source(spec.magnets), 6.0)
-    points, centres = rng.uniform(-20, 20, (1, 15, 3)), rng.uniform(-20, 20, (presses, 25, 3))
-    points[..., 2] += 50.0  # 10 mm above the magnets at least
-    axes = rng.normal(size=(presses, 25, 3))
-    axes /= np.linalg.norm(axes, axis=2, keepdims=True)
-    given = [torch.as_tensor(part, dtype=torch.float32) for part in (points, centres, axes)]
-    rates, found = {}, {}
-    for device in DEVICES:
-        there = [part.to(device) for part in given]
-        few = [there[0], there[1][: presses // 20], there[2][: presses // 20]]
-        at = few if device == "cpu" else there
-        rates[device] = len(at[1]) * 25 * 15 / timed(lambda at=at: batched_field(*at, model), 5)
-        found[device] = batched_field(*few, model).cpu()
-    return {
-        "presses": presses,
-        "pairs_per_second": rates,
-        "ratio_to_two_cores": rates["cuda"] / (2 * rates["cpu"]),
-        "differ": float((found["cuda"] - found["cpu"]).abs().max() / found["cpu"].abs().max()),
-    }
-
-
 def report(found: Result) -> str:
     """In words."""
-    one, two = found["layouts"], found["fields"]
+    one = found["layouts"]
     lines = [
         f"{found['card']} beside {found['machine']['processor']}",
         f"layouts: {one['layouts_per_second']['cuda']:.0f}/s in batches of {one['batch']}, processor "
@@ -172,12 +143,10 @@ def report(found: Result) -> str:
             f"{1e3 * run['seconds_per_generation_of_a_run']:.2f} ms of {run['runs']} on {device}"
             for device, run in one["runs"].items()
         ),
-        f"fields: {two['ratio_to_two_cores']:.1f} times two cores, differ by {two['differ']:.1e}",
         card_inversion.report(found["inversion"]),
     ]
     return "\n".join(lines)
 
 
 if __name__ == "__main__":
-    options = option_parser(__doc__.splitlines()[0]).parse_args()
-    conclude("graphics_card", options, measure(options.quick), report)
+    run(measure, report)

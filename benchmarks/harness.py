@@ -41,6 +41,24 @@ def option_parser(title: str) -> argparse.ArgumentParser:
     return parser
 
 
+def run(
+    measure: Callable[..., Result],
+    report: Callable[[Result], str],
+    **extra: tuple[Callable[[str], Any], Any, str],
+) -> None:
+    """Command line of a script whose `measure` takes the quick form and the values of extra options.
+
+    `extra` holds the type, the default and the help of each option by its name.
+    """
+    script = sys.modules["__main__"]
+    parser = option_parser(script.__doc__ or "")
+    for name, (kind, default, text) in extra.items():
+        parser.add_argument(f"--{name}", type=kind, default=default, help=text)
+    options = parser.parse_args()
+    result = measure(options.quick, *(getattr(options, name) for name in extra))
+    conclude(Path(script.__file__ or "").stem, options, result, report)
+
+
 def machine(threads: int, packages: Sequence[str]) -> Result:
     """Return what the figures were measured on; None for a package that is not installed."""
     return {

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 from scipy.optimize import least_squares
 
 from design.layout.places.contact_grid import contact_grid
@@ -156,11 +156,5 @@ def report(result: Result) -> str:
     )
 
 
-def main() -> None:
-    """Command line."""
-    options = option_parser(__doc__ or "").parse_args()
-    conclude("inversion", options, measure(options.quick), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report)

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 
 from design.spec.object import IndenterSpec, MeshSpec, ObjectSpec
 from design.spec_io import load_spec
@@ -145,11 +145,5 @@ def report(result: Result) -> str:
     )
 
 
-def main() -> None:
-    """Command line."""
-    options = option_parser(__doc__ or "").parse_args()
-    conclude("jaw_readings", options, measure(options.quick), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report)

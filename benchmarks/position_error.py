@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
@@ -121,11 +121,5 @@ def report(result: Result) -> str:
     return "\n".join(lines)
 
 
-def main() -> None:
-    """Measure, write, print."""
-    options = option_parser(__doc__ or "").parse_args()
-    conclude("position_error", options, measure(options.quick), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report)

@@ -9,11 +9,10 @@ several runs. Writes `scores.json`.
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import numpy as np
-from harness import best_seconds, conclude, machine, option_parser
+from harness import best_seconds, machine, run
 from scipy.spatial import ConvexHull
 
 from design.layout.body import face_frames
@@ -131,13 +130,10 @@ def report(result: dict[str, Any]) -> str:
     )
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, write, print."""
-    options = option_parser("Signals and scores on one thread").parse_args(arguments)
-    here = machine(1, ("numpy", "scipy"))
-    result = {"machine": here, "quick": options.quick, "times": measure(options.quick)}
-    conclude("scores", options, result, report)
+def whole(quick: bool) -> dict[str, Any]:
+    """Times, and what they were measured on."""
+    return {"machine": machine(1, ("numpy", "scipy")), "quick": quick, "times": measure(quick)}
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run(whole, report)

@@ -12,7 +12,6 @@ processor time on one thread. Writes `search.json`.
 
 from __future__ import annotations
 
-import sys
 import tempfile
 import time
 from dataclasses import replace
@@ -22,7 +21,7 @@ from typing import Any
 import magpylib
 import numpy as np
 import torch
-from harness import best_seconds, conclude, machine, option_parser
+from harness import best_seconds, machine, run
 from scipy.interpolate import make_interp_spline
 from scipy.spatial.distance import pdist
 from scipy.spatial.transform import Rotation
@@ -244,14 +243,12 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, write, print."""
-    options = option_parser("Layout scoring on one thread").parse_args(arguments)
+def whole(quick: bool) -> dict[str, Any]:
+    """Figures, and what they were measured on."""
     torch.set_num_threads(1)
     here = machine(1, ("torch", "numpy", "magpylib"))
-    result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
-    conclude("search", options, result, report)
+    return {"machine": here, "quick": quick, "figures": measure(quick)}
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run(whole, report)

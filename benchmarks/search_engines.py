@@ -31,7 +31,7 @@ from typing import Any
 import numpy as np
 import torch
 from cmaes import CMA
-from harness import conclude, machine, option_parser
+from harness import machine, run
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, search_space
@@ -252,13 +252,11 @@ def report(result: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, write, print."""
-    options = option_parser("Engines of a layout search").parse_args(arguments)
+def whole(quick: bool) -> dict[str, Any]:
+    """Figures, and what they were measured on."""
     here = machine(1, ("torch", "numpy", "cmaes"))
-    result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
-    conclude("search_engines", options, result, report)
+    return {"machine": here, "quick": quick, "figures": measure(quick)}
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run(whole, report)

@@ -13,7 +13,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 
 from estimator.deploy.live_contacts import LiveContacts
 from estimator.inversion.inversion import Inversion
@@ -105,15 +105,10 @@ def report(result: Result) -> str:
     return "\n".join(lines)
 
 
-def main() -> None:
-    """Measure, write, print."""
-    parser = option_parser(__doc__ or "")
-    parser.add_argument("--grasps", type=int, default=300, help="of each reader and slip")
-    parser.add_argument("--means", type=int, default=300_000, help="at rest without a slip")
-    options = parser.parse_args()
-    result = measure(options.quick, options.grasps, options.means)
-    conclude("slipped_core", options, result, report)
-
-
 if __name__ == "__main__":
-    main()
+    run(
+        measure,
+        report,
+        grasps=(int, 300, "of each reader and slip"),
+        means=(int, 300_000, "at rest without a slip"),
+    )

@@ -16,7 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from harness import Result, conclude, machine, option_parser
+from harness import Result, machine, run
 
 ROOT = Path(__file__).parents[1]
 QUICK = ("examples/gallery/small_cube.toml", (8.0, 8.5), 1)
@@ -73,11 +73,5 @@ def report(result: Result) -> str:
     return "\n".join(rows)
 
 
-def main() -> None:
-    """Command line."""
-    options = option_parser(__doc__ or "").parse_args()
-    conclude("sweeps", options, measure(options.quick), report)
-
-
 if __name__ == "__main__":
-    main()
+    run(measure, report)

@@ -18,7 +18,6 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-Exchanges = Annotated[int, typer.Option(min=1, help="Permutations for the null distribution.")]
 
 
 def _add_study(name: str, purpose: str) -> None:
@@ -52,20 +51,6 @@ def interfaces(
     from studies.recorded.interfaces import interfaces_on
 
     show(interfaces_on(spec, recordings, out, overrides or []), as_json)
-
-
-@app.command()
-def conventions(
-    spec: Spec,
-    recordings: Recordings,
-    exchanges: Exchanges = 499,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Order of chips, labels and axes: searched on one recording, judged on the other."""
-    from studies.recorded.conventions import conventions_of
-
-    show(conventions_of(spec, recordings, exchanges, overrides or []), as_json)
 
 
 @app.command()

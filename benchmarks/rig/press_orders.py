@@ -161,7 +161,7 @@ def draw(
     path: Path,
 ) -> None:
     """Means over objects and sessions, with all of them as points, over presses and over minutes; and
-    the bound below every choice of presses (`press_bound`), if it was computed."""
+    the bound below every choice of presses (results/press_bound.json, of which no script is kept)."""
     import matplotlib.pyplot as plt
 
     figure, panels = plt.subplots(1, 2, figsize=(10, 5.4), layout="constrained", sharey=True)
@@ -180,11 +180,10 @@ def draw(
                 axes.plot(beside, values, ".", ms=4, color=line.get_color(), alpha=0.6)
             if name == WHOLE:
                 axes.axhline(means[0], color=line.get_color(), ls=":")
-    counts = [n for n in (40, 60, 80, 100) if f"bound, {n} presses" in bound]
-    if counts:
-        least = [np.mean(bound[f"bound, {n} presses"]) for n in counts]
-        label = "least possible, any such presses of 9 strokes (computed)"
-        panels[0].plot(counts, least, "k--", lw=1, label=label)
+    counts = (40, 60, 80, 100)
+    least = [np.mean(bound[f"bound, {n} presses"]) for n in counts]
+    label = "least possible, any such presses of 9 strokes (computed)"
+    panels[0].plot(counts, least, "k--", lw=1, label=label)
     figure.suptitle(_title(found, minutes, bound), fontsize=10)
     panels[0].set(xlabel="presses, returns included", ylabel="error of signals at all places (%)")
     panels[1].set(xlabel="minutes")
@@ -206,8 +205,6 @@ def _title(
         f"places by one stroke {told(f'{WHOLE} | 111')},\n"
         f"by the same 9 strokes {told('all 100 places, 9 strokes | 111')}"
     )
-    if f"bound, {most} presses" not in bound:
-        return line
     least = np.mean(bound[f"bound, {most} presses"])
     return f"{line}; any {most} such presses at least {least:.2f} % (computed)"
 
@@ -232,8 +229,7 @@ def main() -> None:
         for way in ways(spec, dict.fromkeys((1, 9, 27), np.arange(max(COUNTS))), 0)
         for count in way.counts
     }
-    bound_file = RESULTS / "press_bound.json"
-    bound = json.loads(bound_file.read_text())["figures"] if bound_file.exists() else {}
+    bound = json.loads((RESULTS / "press_bound.json").read_text())["figures"]
     of_cube = spec_hash(spec) == spec_hash(load_spec(CUBE))
     draw(found, minutes, bound, FIGURE if of_cube else RESULTS / "press_orders.png")
     write_table(RESULTS / "press_orders.json", found, minutes)

@@ -40,15 +40,12 @@ _RAPID_MM_S = 50.0
 
 @dataclass(frozen=True)
 class HiddenObject:
-    """Signals of one object on the lattice of one face, which channels (flat) are the face's, its numbers
-    (`Unknowns`), and the rms signal of each channel that the size of its discrepancy is a share of."""
+    """Signals of one object on the lattice of one face, and which channels (flat) are the face's."""
 
     spec: ObjectSpec
     face: int
     signals: Signals
     own: Int[np.ndarray, "channel"]
-    numbers: Float[np.ndarray, "number"]
-    scale_counts: Float[np.ndarray, "channel"]
 
     def traces(self, xy_mm: Float[np.ndarray, "press 2"]) -> Traces:
         found = press_traces(self.signals, np.full(len(xy_mm), self.face), *xy_mm.T)
@@ -74,12 +71,11 @@ def hidden_object(
         replace(motions, faces=motions.faces[mine], motion=motions.motion[mine]),
     )  # fmt: skip
     unknowns, rng = Unknowns(spec, (face,)), np.random.default_rng([7, seed])
-    signals, numbers = None, np.zeros(len(unknowns))
+    signals = None
     while signals is None:
-        numbers = rng.standard_normal(len(unknowns))
-        signals = unknowns.signals(numbers, *table)
+        signals = unknowns.signals(rng.standard_normal(len(unknowns)), *table)
     own = np.flatnonzero(np.repeat(unknowns.design.scene.sensors.face == face, 3))
-    exact = HiddenObject(spec, face, signals, own, numbers, np.ones(len(own)))
+    exact = HiddenObject(spec, face, signals, own)
     there = signals.pressed[0]
     xy, force = signals.lattice.xy_mm[there], signals.force_n[0, there]
     scale = np.sqrt(np.mean(exact.counts(contact_grid(spec).xy_mm) ** 2, axis=(0, 1)))
@@ -90,7 +86,7 @@ def hidden_object(
     pressed[..., own] += share * smooth[0][:, None] + share**2 * smooth[1][:, None]
     delta[0, there] = pressed
     held = replace(signals, delta_counts=delta.reshape(signals.delta_counts.shape))
-    return replace(exact, signals=held, scale_counts=scale)
+    return replace(exact, signals=held)
 
 
 def _smooth_fields(

@@ -22,8 +22,7 @@ SWITCH = "INSTOBJ_DEVICE"
 def compute_device() -> torch.device:
     """The processor, or what `INSTOBJ_DEVICE` names: "cuda", or "cuda:1" for the second card.
 
-    Layouts of a search, the training of networks and contacts of many frames are worked on there;
-    batches of fields where their tensors are.
+    Layouts of a search, the training of networks and contacts of many frames are worked on there.
 
     Raises
     ------

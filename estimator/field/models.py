@@ -1,9 +1,8 @@
 """Flux density of magnets: point dipole, multipole series, pole charges, exact bodies.
 
 Vectors are triples of equally broadcastable arrays (`estimator.field.vectors`), so that large sets of
-pairs stay in contiguous chunks of cache size. Dipole, series and charges take NumPy arrays and torch
-tensors alike (`estimator.field.batched` has the latter in batches). Lengths are in mm, polarization
-and flux density in T: a magnet written with its polarization needs no conversion.
+pairs stay in contiguous chunks of cache size. Lengths are in mm, polarization and flux density in T: a
+magnet written with its polarization needs no conversion.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Int
 
 from design.spec.magnets import MagnetSpec
 from estimator.field.exact import cuboid_field, cylinder_field
@@ -26,7 +25,7 @@ from estimator.field.sources import (
     local_coordinates,
     magnet_sources,
 )
-from estimator.field.vectors import Vector, dot, plus_product, plus_scaled
+from estimator.field.vectors import Vector, dot, plus_product
 
 ModelName = Literal["dipole", "multipole", "charges", "exact"]
 LOWEST_ORDER = 7
@@ -225,11 +224,11 @@ def _clenshaw(series: _Series, s: Any, st: Any, s_squared: Any) -> Any:
     *lower, here = series.weights
     after: Any = 0.0
     for k in reversed(range(len(lower))):
-        step = plus_scaled(st, s, series.shifts[k]) * here
+        step = (st + series.shifts[k] * s) * here
         if k + 3 < len(series.weights):
             step = plus_product(step, after, s_squared, series.feedbacks[k + 1])
         elif k + 2 < len(series.weights):
-            step = plus_scaled(step, s_squared, series.feedbacks[k + 1] * after)
+            step = step + (series.feedbacks[k + 1] * after) * s_squared
         step += lower[k]
         here, after = step, here
     return here
@@ -370,17 +369,3 @@ def _rows(vector: Vector, those: np.ndarray) -> Vector:
     """Rows of some magnets; what all share is left as it is."""
     x, y, z = (part if len(part) == 1 else part[those] for part in vector)
     return x, y, z
-
-
-def total_field(
-    points_mm: Float[np.ndarray, "point 3"],
-    centres_mm: Float[np.ndarray, "magnet 3"],
-    axes: Float[np.ndarray, "magnet 3"],
-    model: FieldModel,
-    sides: Float[np.ndarray, "magnet 3"] | None = None,
-) -> Float[np.ndarray, "point 3"]:
-    """Flux density (T) of all magnets together at points (mm); `sides` as `sum_over_magnets`."""
-    centres, turned = (tuple(given.T[:, :, None]) for given in (centres_mm, axes))
-    side = None if sides is None else tuple(sides.T[:, :, None])
-    field = sum_over_magnets(tuple(points_mm.T[:, None]), centres, turned, model, side)
-    return np.stack(field, axis=-1)

@@ -1,7 +1,6 @@
 """Vectors as triples of equally broadcastable arrays (x, y, z).
 
-This keeps large batches in contiguous, cache-sized chunks. Everything here uses operators alone
-where it can and so takes NumPy arrays and torch tensors alike.
+This keeps large batches in contiguous, cache-sized chunks.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ import numpy as np
 from jaxtyping import Float
 
 Vector = tuple[Any, Any, Any]
-"""Components x, y, z: arrays (NumPy or any library with the same operators) of one shape."""
+"""Components x, y, z: arrays or numbers of one shape."""
 
 _SMALL_SQUARED = 0.25**2
 """Below this the series is exact to rounding: what it leaves out is 1e-17."""
@@ -22,7 +21,7 @@ _SINE_SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(6))
 
 
 def dot(a: Vector, b: Vector) -> Any:
-    """a·b, in as few passes over memory as the library allows."""
+    """a·b."""
     return plus_product(plus_product(a[0] * b[0], a[1], b[1]), a[2], b[2])
 
 
@@ -33,17 +32,10 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 def plus_product(a: Any, b: Any, c: Any, factor: float = 1.0) -> Any:
-    """a + factor b c; a tensor does it in one pass over memory."""
-    if hasattr(a, "addcmul"):
-        return a.addcmul(b, c, value=factor)
+    """a + factor b c, without another array for the sum."""
     product = b * c if factor == 1.0 else (factor * b) * c
     product += a
     return product
-
-
-def plus_scaled(a: Any, b: Any, factor: float) -> Any:
-    """a + factor b; a tensor does it in one pass over memory."""
-    return a.add(b, alpha=factor) if hasattr(a, "addcmul") else a + factor * b
 
 
 def components(vectors: Float[np.ndarray, "*any 3"]) -> Vector:
@@ -81,8 +73,6 @@ def _sine_and_cosine_of_half(squared: Any) -> tuple[Any, Any]:
         return share, np.sqrt(1 - squared * share * share)
     half = squared**0.5
     half = half + 1e-20 * (half == 0)
-    if hasattr(half, "addcmul"):
-        return half.sin() / half, half.cos()
     return np.sin(half) / half, np.cos(half)
 
 

@@ -86,7 +86,6 @@ class FidelityScore:
 SCORE_NAMES = tuple(f.name for f in fields(FidelityScore) if f.name != "position_bounds_mm")
 MARGINS = ("saturation_margin", "objects_margin")
 """They may be negative."""
-LARGER_IS_BETTER = ("sensitivity_ratio", *MARGINS)
 
 
 def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> FidelityScore:
@@ -211,19 +210,6 @@ def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
     names = ("median_false_force_n", "percentile_95_false_force_n")
     forces = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
     return {name: float(force_n) for name, force_n in forces.items()}
-
-
-def gains(start: FidelityScore, score: FidelityScore) -> dict[str, float]:
-    """Return how many times better each score is than the start's: above 1 is better.
-
-    Of `MARGINS` the differences, as these may be negative.
-    """
-    better = {}
-    for name in SCORE_NAMES:
-        start_value, value = getattr(start, name), getattr(score, name)
-        ratio = value / start_value if name in LARGER_IS_BETTER else start_value / value
-        better[name] = value - start_value if name in MARGINS else ratio
-    return better
 
 
 def rank_correlations(

@@ -24,11 +24,11 @@ from instobj.store.content import store_root
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import (
     file_rows,
+    object_row,
     publish,
     require_writable,
     run_folder,
     run_name,
-    stage_row,
 )
 from instobj.store.readers import FINDINGS, FRAMES, INVERSION
 from instobj.store.run_bar import expected_seconds
@@ -292,13 +292,7 @@ def run_one_object(
         run.require(name)
     for result in run.results.values():
         files.update(publish(spec, result, out))
-    return {
-        "name": spec.name,
-        "spec_hash": spec_hash(spec),
-        "stages": [stage_row(result) for result in run.results.values()],
-        "summary": summarize(run.results, spec),
-        "files": file_rows(sorted(files)),
-    }
+    return object_row(spec, run.results.values(), summarize(run.results, spec), sorted(files))
 
 
 def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:

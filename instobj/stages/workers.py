@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
 from design.processes import ONE_THREAD, machine_memory_gib
@@ -35,28 +35,6 @@ _LEAN = {
 """Processes keep memory that is freed, which Dask has glibc give back at once, and so do threads of glibc
 of their own accord, where tasks run: all share the first thread's. Nobody reads the profiles that Dask
 samples. Two processes take a fifth less time for a sweep of paper's cubes."""
-
-
-class Workers(Protocol):
-    """Workers that carry tasks out."""
-
-    @property
-    def count(self) -> int:
-        """Return how many tasks are worked on at a time."""
-        ...
-
-    def make(
-        self,
-        tasks: Mapping[str, StageTask],
-        root: Path,
-        say: Say,
-        enough: Callable[[], bool] = lambda: False,
-    ) -> Done:
-        """Make every task once, after the tasks that it needs, in the store at `root`.
-
-        Once `enough`, no further task is begun; those are not among what is done.
-        """
-        ...
 
 
 @contextmanager
@@ -87,6 +65,7 @@ class Here:
 
     @property
     def count(self) -> int:
+        """Return how many tasks are worked on at a time."""
         return 1
 
     def make(
@@ -96,7 +75,10 @@ class Here:
         say: Say,
         enough: Callable[[], bool] = lambda: False,
     ) -> Done:
-        """Make tasks as `Workers.make` does."""
+        """Make every task once, after the tasks that it needs, in the store at `root`.
+
+        Once `enough`, no further task is begun; those are not among what is done.
+        """
         done: Done = {}
         known_results: dict[str, StoredResult] = {}
         counted = WorkersProgress(len(tasks), say)
@@ -132,7 +114,7 @@ class OnDask:
         say: Say,
         enough: Callable[[], bool] = lambda: False,
     ) -> Done:
-        """Make tasks as `Workers.make` does.
+        """Make tasks as `Here.make` does.
 
         Raises
         ------
@@ -185,6 +167,10 @@ class OnDask:
                 heard = time.monotonic()
             else:
                 time.sleep(_BETWEEN_LOOKS_S)
+
+
+Workers = Here | OnDask
+"""Workers that carry tasks out."""
 
 
 def _outcome(future: Any) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
@@ -120,6 +121,19 @@ def stage_row(result: StoredResult) -> dict[str, Any]:
         "key": result.key[:16],
         "reused": result.reused,
         "seconds": round(result.seconds, 2),
+    }
+
+
+def object_row(
+    spec: ObjectSpec, results: Iterable[StoredResult], summary: dict[str, Any], files: list[Path]
+) -> dict[str, Any]:
+    """Return what a command made of one object, as JSON."""
+    return {
+        "name": spec.name,
+        "spec_hash": spec_hash(spec),
+        "stages": [stage_row(result) for result in results],
+        "summary": summary,
+        "files": file_rows(files),
     }
 
 

@@ -63,19 +63,3 @@ def pack(content: Mapping[str, Any], arrays: Mapping[str, Stepped | np.ndarray])
     head = json.dumps({**content, "arrays": table}, allow_nan=False).encode()
     head += b" " * (-len(head) % _ALIGNED)
     return gzip.compress(struct.pack("<I", len(head)) + head + b"".join(pieces), 9, mtime=0)
-
-
-def unpack(packed: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """Return what `pack` was given, arrays with a step as floats, NaN where there is no number."""
-    raw = gzip.decompress(packed)
-    (size,) = struct.unpack_from("<I", raw)
-    content = json.loads(raw[4 : 4 + size])
-    arrays = {}
-    for name, entry in content.pop("arrays").items():
-        kind, count = np.dtype(f"<{entry['kind']}"), int(np.prod(entry["shape"]))
-        data = np.frombuffer(raw, kind, count, 4 + size + entry["at"]).reshape(entry["shape"])
-        if entry["step"] != 1.0 or entry["gaps"]:
-            none = entry["gaps"] & (data == np.iinfo(kind).max)
-            data = np.where(none, np.nan, data * entry["step"])
-        arrays[name] = data
-    return content, arrays

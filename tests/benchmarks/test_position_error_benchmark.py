@@ -14,4 +14,4 @@ def test_quick_run_compares_bounds_and_errors_with_readings(quick_run):
         np.hypot(*np.log(two_sensors[f"read_over_{what}"])) for what in ("bound", "error")
     )
     assert off_error < 0.5 * off_bound
-    assert printed.startswith("8 N, all (16 places): read ")
+    assert printed.startswith("8 N, all, 16 places: read ")

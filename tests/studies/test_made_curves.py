@@ -1,4 +1,4 @@
-"""Interfaces and conventions judged on presses that are made up: forces, travels, cosines, labels."""
+"""Interfaces judged on presses that are made up: forces, travels, cosines, labels."""
 
 from types import SimpleNamespace
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -15,7 +15,6 @@ from design.spec.object import ObjectSpec
 from estimator.deploy.live_contacts import LiveContacts
 from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import ZeroMode
-from estimator.frames.face_data import Channel
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.condition import FINE, Condition
 from estimator.inversion.model.table import PressTable
@@ -40,8 +39,8 @@ class Found:
     track: ContactTrack | None = None
 
 
-class Estimator(Protocol):
-    """Reads raw counts (face, sensor, axis) frame by frame; None while there is no zero.
+class InvertedContacts:
+    """Contacts of the whole object, by inversion of its forward model.
 
     Attributes
     ----------
@@ -50,31 +49,6 @@ class Estimator(Protocol):
     channels : the ones that it reads
     presses : depth and contact area of solved presses; None where its file has none
     """
-
-    method: str
-    needs_every_frame: bool
-    channels: tuple[Channel, ...]
-    presses: PressTable | None
-
-    def feed(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
-    ) -> Found | None:
-        """Return what it reads in the next frame."""
-        ...
-
-    def pass_by(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
-    ) -> None:
-        """Take a frame that is left out, of which the zero may learn."""
-        ...
-
-    def rezero(self) -> None:
-        """Take the zero again from the frames that follow."""
-        ...
-
-
-class InvertedContacts:
-    """Contacts of the whole object, by inversion of its forward model."""
 
     method, needs_every_frame = "inversion", False
 
@@ -86,7 +60,7 @@ class InvertedContacts:
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
-        """Return what it reads in the next frame."""
+        """Return what it reads in the next frame of raw counts; None while there is no zero."""
         reading = self._reader.feed(raw_counts, time_s, left_out)
         if reading is None:
             return None
@@ -118,7 +92,7 @@ class InvertedContacts:
 
 
 class FaceContacts:
-    """One contact per face at most, by exported estimators of single faces."""
+    """One contact per face at most, by exported estimators of single faces; as `InvertedContacts`."""
 
     method, needs_every_frame = "networks", True
     presses: PressTable | None = None
@@ -161,6 +135,9 @@ class FaceContacts:
         """Take the zero again from the frames that follow."""
         for reader in self._readers:
             reader.rezero()
+
+
+Estimator = InvertedContacts | FaceContacts
 
 
 def open_estimator(

@@ -4,25 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
 from design.errors import InputError
 from instobj.bench.rig.grbl_lines import RECEIVE_BYTES, GrblSpeech, grbl_travel
 from instobj.bench.rig.marlin_lines import MARK, MarlinSpeech, marlin_travel
-from instobj.bench.rig.replies import Reply, Travel
+from instobj.bench.rig.replies import Travel
 
-
-class Speech(Protocol):
-    """Bytes of a machine to replies, and lines in Grbl's words to its bytes; `status` asks its state."""
-
-    @property
-    def status(self) -> bytes: ...
-
-    def feed(self, data: bytes, /) -> list[Reply]: ...
-
-    def encode(self, line: str, /) -> bytes: ...
-
-    def restart(self) -> None: ...
+Speech = GrblSpeech | MarlinSpeech
+"""Bytes of a machine to replies, and lines in Grbl's words to its bytes; `status` asks its state."""
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from instobj.commands.presses.press import stored_press_mesh
 from instobj.figures.loads import Pressed, draw_loads
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.publish import object_row, require_writable, run_folder
 from instobj.store.readers import MESH, PRESS_MESH, RESPONSE
 from instobj.store.stage import write_json
 
@@ -121,17 +121,10 @@ def loads_document(
     target.mkdir(parents=True, exist_ok=True)
     write_json({"command": command, **summary}, target / "loads.json")
     draw_loads(spec, pressed, changes[0], target / "loads.png")
+    files = [target / "loads.json", target / "loads.png"]
     return {
         "command": command,
-        "objects": [
-            {
-                "name": spec.name,
-                "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in run.results.values()],
-                "summary": summary,
-                "files": file_rows([target / "loads.json", target / "loads.png"]),
-            }
-        ],
+        "objects": [object_row(spec, run.results.values(), summary, files)],
         "status": "refused" if refused else "converged",
     }
 

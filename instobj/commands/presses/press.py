@@ -13,12 +13,12 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from design.spec_io import load_spec, spec_hash
+from design.spec_io import load_spec
 from instobj.commands.presses.places import Place
 from instobj.figures.saving import save_figure
 from instobj.store.content import StoredResult, store_root, stored
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, publish_to, require_writable, run_folder, stage_row
+from instobj.store.publish import object_row, publish_to, require_writable, run_folder
 from instobj.store.readers import PRESS, PRESS_CURVE, PRESS_FIELDS, PRESS_MESH, PRESS_SECTION
 from instobj.store.stage import Step, write_json
 
@@ -280,14 +280,6 @@ def _document(spec: ObjectSpec, stages: list[StoredResult], files: list[Path]) -
     steps = content.pop("steps")
     return {
         "command": "press",
-        "objects": [
-            {
-                "name": spec.name,
-                "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in stages],
-                "summary": {"press": content, "force and travel": steps},
-                "files": file_rows(files),
-            }
-        ],
+        "objects": [object_row(spec, stages, {"press": content, "force and travel": steps}, files)],
         "status": content["status"],
     }

@@ -18,7 +18,7 @@ from instobj.commands.recorded.validate_travel import EXCHANGES, validate_on_tra
 from instobj.stages.makers.twin import TRUSTED_PERCENT
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
-from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.publish import object_row, require_writable, run_folder
 from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
@@ -256,6 +256,16 @@ def _published(
 
     figure = target / "validation.png"
     draw_validation(spec, presses, predictions, document, figure)
+    summary = {
+        f"predicted against recorded, {document['presses']} presses of "
+        f"{len(document['cases'])} sets of places (null: places exchanged)": agreement_rows(
+            document
+        ),
+        "calibrated on some presses, judged on others": calibration_rows(document),
+        "what the residuals point to: each cause fitted by itself, judged on other places; the "
+        "likely one leaves the smallest share": cause_rows(document),
+    }
+    files = [target / "validation.json", figure]
     return {
         "command": "validate",
         "texts": [
@@ -265,23 +275,7 @@ def _published(
             *calibration_texts(document),
         ],
         "validation": json.loads(json.dumps(document)),
-        "objects": [
-            {
-                "name": spec.name,
-                "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in run.results.values()],
-                "summary": {
-                    f"predicted against recorded, {document['presses']} presses of "
-                    f"{len(document['cases'])} sets of places (null: places exchanged)": agreement_rows(
-                        document
-                    ),
-                    "calibrated on some presses, judged on others": calibration_rows(document),
-                    "what the residuals point to: each cause fitted by itself, judged on other places; the "
-                    "likely one leaves the smallest share": cause_rows(document),
-                },
-                "files": file_rows([target / "validation.json", figure]),
-            }
-        ],
+        "objects": [object_row(spec, run.results.values(), summary, files)],
     }
 
 

@@ -10,7 +10,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.stages.run import Run
-from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
+from instobj.store.publish import object_row, require_writable, run_folder
 from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
@@ -109,26 +109,16 @@ def _published(
     spec: ObjectSpec, run: Run, document: dict[str, Any], target: Path
 ) -> dict[str, Any]:
     agreement = document["agreement"]
+    tables = {
+        f"{name}, judged on all other places": agreement_rows(judged)
+        for name, judged in agreement.items()
+    }
+    files = [target / "travel.json", target / "travel.png"]
     return {
         "command": "validate",
         "texts": [_text(name, judged) for name, judged in agreement.items()],
         "validation": json.loads(json.dumps(document)),
-        "objects": [
-            {
-                "name": spec.name,
-                "spec_hash": spec_hash(spec),
-                "stages": [stage_row(stage) for stage in run.results.values()],
-                "summary": _tables(document),
-                "files": file_rows([target / name for name in ("travel.json", "travel.png")]),
-            }
-        ],
-    }
-
-
-def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
-    return {
-        f"{name}, judged on all other places": agreement_rows(judged)
-        for name, judged in document["agreement"].items()
+        "objects": [object_row(spec, run.results.values(), tables, files)],
     }
 
 

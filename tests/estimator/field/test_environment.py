@@ -13,11 +13,12 @@ from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from estimator.field.environment import Plate, environment, with_images
 from estimator.field.forces import mirrored
-from estimator.field.models import FieldModel, total_field
+from estimator.field.models import FieldModel
 from estimator.field.sources import BlockMagnet, DiskMagnet, magnet_source
 from estimator.signals.field_setup import scene, sensed_field, zero_motion
 from estimator.signals.presses import press_signals, rest_counts
 from estimator.signals.surroundings import surroundings, with_jaw
+from tests.support.mechanics.magnet_poses import total_field
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 NORMAL = np.array([0.36, -0.48, 0.8])

@@ -13,10 +13,15 @@ from estimator.field.models import (
     field_model,
     model_error,
     multipole_field,
-    total_field,
 )
 from estimator.field.sources import BlockMagnet
-from tests.support.mechanics.magnet_poses import DISKS, magpylib_field, random_poses, relative_error
+from tests.support.mechanics.magnet_poses import (
+    DISKS,
+    magpylib_field,
+    random_poses,
+    relative_error,
+    total_field,
+)
 
 
 def modelled(model, turn, centre, point):

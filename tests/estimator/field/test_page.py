@@ -4,12 +4,12 @@ import numpy as np
 import torch
 
 from design.spec.object import ObjectSpec
-from estimator.field.batched import batched_field
 from estimator.field.demagnetisation import block_factor, cylinders_factor
 from estimator.field.environment import environment, with_images
 from estimator.field.gradient import field_change
-from estimator.field.models import FieldModel, field_model, model_error, total_field
+from estimator.field.models import FieldModel, field_model, model_error
 from estimator.field.sources import BlockMagnet, DiskMagnet
+from tests.support.mechanics.magnet_poses import total_field
 from tests.support.physics_pages import assert_page
 
 DISK = DiskMagnet(6.0, 1.5, 1.3)
@@ -69,8 +69,6 @@ def of_slopes():
         change = field_change(offset, axis, magnet, 7)
         yield f"field of a {name} (mT)", 1e3 * change.field.numpy()
         yield "its slopes (mT/mm, mT/rad)", 1e3 * change.by_motion.numpy()
-    given = (torch.as_tensor(one[None]) for one in (points, centres, axes))
-    yield "many rings at once (mT)", 1e3 * batched_field(*given, MODELS["ring"]).numpy()
 
 
 def of_surroundings():

@@ -1,17 +1,16 @@
-"""Rings and blocks: parity with magpylib, Maxwell's equations, gradients, choice of model."""
+"""Rings and blocks: parity with magpylib, Maxwell's equations, choice of model."""
 
 import magpylib
 import numpy as np
 import pytest
-import torch
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from estimator.field.batched import batched_field
-from estimator.field.models import FieldModel, field_model, model_error, total_field
+from estimator.field.models import FieldModel, field_model, model_error
 from estimator.field.sources import BlockMagnet, DiskMagnet
+from tests.support.mechanics.magnet_poses import relative_error, total_field
 
 RING = DiskMagnet(8.0, 2.0, 1.3, inner_diameter_mm=4.0)
 SQUARE = BlockMagnet((5.0, 5.0), 1.0, 1.4)
@@ -52,10 +51,6 @@ def modelled(model, turn, centre, point):
     offset = tuple((point - centre).T)
     axis, side = (tuple(turn.apply(e).T) for e in ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]))
     return np.array(model(offset, axis, side)).T
-
-
-def relative_error(found, exact):
-    return np.linalg.norm(found - exact, axis=1) / np.linalg.norm(exact, axis=1)
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=NAMES)
@@ -142,32 +137,6 @@ def test_no_divergence_and_no_curl_outside(model):
     assert_allclose(np.trace(slope, axis1=1, axis2=2) / size, 0, atol=3e-6)
     curl = np.linalg.norm(slope - slope.transpose(0, 2, 1), axis=(1, 2))
     assert_allclose(curl / size, 0, atol=3e-6)
-
-
-@pytest.mark.parametrize(
-    "model", [FieldModel(OBLONG, "charges", charges=4), FieldModel(RING, "multipole", 9)]
-)
-@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
-def test_torch_gives_the_same_field_and_its_gradients(model, dtype):
-    turn, centre, point = poses_from(model.magnet, 9.0, 6, 20)
-    axis, side = turn.apply([0.0, 0.0, 1.0]), turn.apply([1.0, 0.0, 0.0])
-    tensors = [torch.tensor(a[:, None], dtype=dtype) for a in (point, centre, axis)]
-    sides = torch.tensor(side[:, None], dtype=dtype)
-    for tensor in tensors:
-        tensor.requires_grad_()
-    found = batched_field(*tensors, model, sides=sides)[:, 0]
-    plain = modelled(model, turn, centre, point)
-    tolerance = 3e-6 if dtype == torch.float32 else 1e-12
-    assert relative_error(found.detach().double().numpy(), plain).max() < tolerance
-    (slope,) = torch.autograd.grad(found[:, 2].sum(), tensors[0])
-    step = 1e-4
-    above, below = (
-        modelled(model, turn, centre, point + sign * np.array([step, 0, 0]))[:, 2]
-        for sign in (1, -1)
-    )
-    numeric = (above - below) / (2 * step)
-    scale = abs(numeric).max()
-    assert_allclose(slope[:, 0, 0].double().numpy() / scale, numeric / scale, atol=1e-4)
 
 
 def test_inside_means_the_outline_and_a_rings_hole_counts_as_full():

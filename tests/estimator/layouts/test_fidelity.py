@@ -21,7 +21,6 @@ from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, neighbour_changes
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
-    gains,
     lowest_fidelity_score,
     rank_correlations,
     regressed_share,
@@ -202,27 +201,6 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     limit, edge = spec.limits.position_bound_mm, max(spec.body.size_mm)
     assert regressed_share(better, found, limit) == np.mean(bounds > limit)
     assert_allclose(found.position_over_limit, gmean(np.clip(bounds, limit, edge).ravel() / limit))
-
-
-def test_gains_are_above_one_where_a_layout_is_better():
-    better = replace(
-        START, worst_position_bound_mm=0.5, worst_force_bound_n=5.0, sensitivity_ratio=0.6
-    )
-    found = gains(
-        START,
-        replace(
-            better, percentile_95_false_force_n=0.75, saturation_margin=0.7, objects_margin=0.5
-        ),
-    )
-    wanted = dict.fromkeys(SCORE_NAMES, 1.0) | {
-        "worst_position_bound_mm": 3.0,
-        "worst_force_bound_n": 0.5,
-        "sensitivity_ratio": 2.0,
-        "percentile_95_false_force_n": 4.0,
-        "saturation_margin": -0.1,
-        "objects_margin": 0.1,
-    }
-    assert found == pytest.approx(wanted)
 
 
 def test_rank_correlation_counts_order_alone():

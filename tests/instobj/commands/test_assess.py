@@ -18,7 +18,7 @@ from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
 from instobj.commands.assess.tracks import unexplained_share
-from instobj.viewer.archive import unpack
+from tests.support.archives import unpack
 from tests.support.browser import Browser, chromium
 from tests.support.cli import run
 from tests.support.mechanics.inverted import SPEC, inverted

@@ -9,7 +9,7 @@ from design.spec_io import parse_spec
 from instobj.search.outcome.history import History
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene, shown_layouts
 from instobj.search.verdict import Promoted, Promotion
-from instobj.viewer.archive import unpack
+from tests.support.archives import unpack
 from tests.support.objects.made_histories import history_of_three, made_up_layouts
 from tests.support.objects.search_cases import OBJECTIVES, made_up_scores, made_up_space, searched
 

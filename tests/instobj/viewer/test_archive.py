@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from instobj.viewer.archive import pack, stepped, unpack
+from instobj.viewer.archive import pack, stepped
+from tests.support.archives import unpack
 
 
 @pytest.mark.parametrize(("kind", "most"), [("i1", 126), ("i2", 32766)])

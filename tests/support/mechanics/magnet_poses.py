@@ -1,9 +1,10 @@
-"""Disk magnets in random poses, and their field by magpylib as an independent oracle."""
+"""Magnets in random poses: the field of all together, and magpylib's as an independent oracle."""
 
 import magpylib
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from estimator.field.models import sum_over_magnets
 from estimator.field.sources import DiskMagnet
 
 DISKS = [DiskMagnet(6.0, 1.0, 1.43), DiskMagnet(4.0, 5.0, 1.1), DiskMagnet(9.0, 0.5, -1.2)]
@@ -36,3 +37,10 @@ def magpylib_field(disk, turn, centre, point):
 
 def relative_error(field, exact):
     return np.linalg.norm(field - exact, axis=1) / np.linalg.norm(exact, axis=1)
+
+
+def total_field(points, centres, axes, model, sides=None):
+    """Flux density (T) of all magnets together at points (mm), both (many, 3)."""
+    centre, axis = (tuple(given.T[:, :, None]) for given in (centres, axes))
+    side = None if sides is None else tuple(sides.T[:, :, None])
+    return np.stack(sum_over_magnets(tuple(points.T[:, None]), centre, axis, model, side), axis=-1)
