@@ -34,23 +34,6 @@ def test_candidates_are_all_different_and_the_first_are_as_documented():
     assert ORDERS[0] == (0, 1, 2)
 
 
-def test_a_planted_convention_is_found_and_holds_on_the_other_recording():
-    rng = np.random.default_rng(0)
-    model = predicted(rng)
-    order, turn = ORDERS[3], TURNS[7]
-    true = model[5, np.arange(len(CASE)), CASE]
-    recorded = np.zeros_like(true)
-    recorded[:, list(order)] = np.einsum("ab,pcb->pca", turn, true)
-    recorded += 0.3 * rng.standard_normal(recorded.shape)
-    every = cosines(recorded, model)
-    assert every.shape == (8, 6, 24, len(CASE), 8)
-    found = search(every, CASE, RECORDING, 0, 39, 1)
-    assert found.candidate == (5, 3, 7)
-    assert found.judged > 0.9
-    assert found.p == 1 / 40
-    assert abs(found.documented) < 0.4
-
-
 def test_a_search_in_noise_looks_good_where_it_was_chosen_alone():
     rng = np.random.default_rng(3)
     every = cosines(rng.standard_normal((len(CASE), 3, 3)), predicted(rng))
@@ -88,7 +71,7 @@ def test_chips_with_a_dead_axis_count_nothing(dead):
     spec = ObjectSpec(name="cube")
     model = rng.standard_normal((len(SYMMETRIES), len(CASE), 8, 45))
     own = own_channels(spec, 2)
-    order, turn = ORDERS[3], TURNS[7]
+    order, turn = ORDERS[3], TURNS[9]
     true = model[5, np.arange(len(CASE)), CASE][:, own].reshape(-1, 3, 3)
     signal = model[0, np.arange(len(CASE)), CASE].copy()
     signal[:, own[np.reshape(np.arange(9), (3, 3))[list(order)].ravel()]] = np.einsum(
@@ -96,7 +79,7 @@ def test_chips_with_a_dead_axis_count_nothing(dead):
     ).reshape(-1, 9)
     signal[:, own[dead]] = np.nan
     found = search_face(spec, of_face_two(signal), model, 2, 0, 9)
-    assert found.candidate == (5, 3, 7)
+    assert found.candidate == (5, 3, 9)
     assert_allclose([found.chosen_on, found.judged], 1)
     other = signal.copy()
     other[:, own[3:6]] = rng.standard_normal((len(CASE), 3))
