@@ -3,13 +3,11 @@
 from types import SimpleNamespace
 
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
 from estimator.calibration.recorded_presses import RecordedPresses, own_channels
 from studies.recorded import interface_fits as interfaces
-from studies.recorded.interface_fits import Preference
 
 SPEC = ObjectSpec(name="cube")
 CASES = (((2, 1.0, 2.0), (4, 3.0, -1.0)), ((3, 5.0, 6.0),), ((3, -2.0, 1.0),))
@@ -37,11 +35,3 @@ def test_cosines_are_over_the_live_channels_of_the_pressed_faces():
         assert len(own) == (17 if row == 1 else 9 * len(faces))
         a, b = given.signal_counts[row, own], predicted[row][:, own]
         assert_allclose(found[row], b @ a / np.linalg.norm(a) / np.linalg.norm(b, axis=1))
-
-
-@pytest.mark.parametrize(
-    ("places", "cases", "tried", "p"),
-    [(0.02, 0.05, 3, 0.15), (0.3, 0.1, 5, 1.0), (0.02, 0.01, 1, 0.02)],
-)
-def test_a_preference_s_p_is_the_larger_times_the_interfaces_tried(places, cases, tried, p):
-    assert_allclose(Preference("a", "b", 0.1, 0.1, places, cases, 3, 4).corrected_p(tried), p)

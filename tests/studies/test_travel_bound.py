@@ -1,7 +1,5 @@
 """Slopes, drift, bound and scatter of repeated presses, each by hand."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -17,15 +15,7 @@ from studies.recorded.travel_bound import (
     places_bound_mm,
     recorded_slopes,
 )
-from tests.support.recordings import travel_cases
 from tests.support.recordings.made_travel import RESTING_MT, TWIN, Made, recording
-from tests.support.recordings.travel_cases import (
-    POSE,
-    pad_model,
-    pressed_places,
-    presses_of,
-    recorded,
-)
 
 LATTICE = np.array([(1.5 * i, 1.5 * j) for i in range(-6, 7) for j in range(-6, 7)])
 
@@ -137,27 +127,3 @@ def test_bound_and_scatter_are_of_the_noise_of_the_repeats_without_their_drift()
     repeated = [4 if k == 30 else 3 for k in inside]
     drawn = attainable_correlation(slopes, precision, repeated, np.random.default_rng(9))
     assert found.attainable == pytest.approx(drawn, abs=0.15)
-
-
-@pytest.fixture(scope="module")
-def model():
-    return pad_model()
-
-
-def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
-    """Five repeats at one travel, white noise: size within sampling, order as far as can be told."""
-    tip = np.repeat(pressed_places(15, 1), 5, axis=0)
-    tip[:, 2] = 143.0
-    repeats = presses_of(tip, recorded(model, tip, noise_mt=0.01))
-    right = Fitted(model.design_twin(POSE), travel_cases.RESTING_MT, 0.0)
-    found = bound_test(model, right, repeats)
-    assert len(found.bound_mm) > 100
-    assert 0.9 < found.size_ratio < 1.15
-    assert found.rank_correlation > found.attainable - 0.15
-    assert found.slopes_rank_correlation > 0.9
-    assert found.null < 0.3
-    aside = replace(POSE, shift_mm=POSE.shift_mm + 12.0)
-    wrong = bound_test(
-        model, Fitted(model.design_twin(aside), travel_cases.RESTING_MT, 0.0), repeats
-    )
-    assert wrong.rank_correlation < found.rank_correlation - 0.2

@@ -68,8 +68,7 @@ def test_columns_of_a_slip_are_what_shifted_and_turned_magnets_add():
     assert_allclose(columns @ unknowns, change, atol=0.02 * np.abs(change).max())
 
 
-@pytest.mark.parametrize("reader", [inverted, doubting])
-@pytest.mark.parametrize("slip_mm", [0.05, 0.1])
+@pytest.mark.parametrize(("slip_mm", "reader"), [(0.05, inverted), (0.1, doubting)])
 def test_a_slipped_core_is_no_contact(slip_mm, reader):
     """All magnets shift against the chips; half of the frames at 0.05 mm look like presses of 5 N."""
     rng = np.random.default_rng(13)

@@ -27,7 +27,6 @@ from estimator.layouts.fidelity import (
     score_signals,
 )
 from estimator.layouts.presses.basis import press_basis
-from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information
 from estimator.signals.field_setup import sensed_field
@@ -107,19 +106,6 @@ def nearest_forces_n(spec, changes, own):
     curves = (share[:, None, None] * own).reshape(-1, own.shape[1])
     away = (curves**2).sum(axis=1) - 2 * changes @ curves.T
     return spec.score.force_n * np.repeat(share, len(own))[away.argmin(axis=1)]
-
-
-def test_a_false_force_is_that_of_the_own_press_whose_signals_are_nearest(spec, scorer):
-    layouts = random_layouts(COUNT, seed=4)
-    found = false_forces_n(scorer, layouts).numpy()
-    places = len(scorer.presses.places)
-    change = neighbour_changes(scorer, layouts, torch.arange(3 * places, 4 * places)).numpy()
-    own = press_changes(scorer, layouts).by_parameter[:, :, 3].numpy()
-    for row in range(COUNT):
-        changes = change[row].swapaxes(1, 2).reshape(-1, len(own))
-        changes = changes * CROSS_FACE_FORCE_N / spec.score.force_n
-        wanted = nearest_forces_n(spec, changes, own[:, row].T)
-        assert np.quantile(abs(found[row].ravel() - wanted), 0.98) < 0.05
 
 
 def test_false_forces_are_those_of_exact_fields(spec, motions, scorer):

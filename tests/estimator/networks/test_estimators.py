@@ -12,8 +12,6 @@ from estimator.evaluation.evaluation import evaluate_face, evaluate_intervals
 from estimator.frames.face_data import face_data, with_history
 from estimator.frames.splits import split_places, split_presses
 from estimator.networks.face_model import predict
-from estimator.networks.intervals.conformal import conformal_quantile
-from estimator.networks.training.data import press_folds
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -177,34 +175,3 @@ def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, mo
     (tmp_path / "member_0.safetensors").write_text("spoilt")
     with pytest.raises(StoreError, match="Delete it"):
         fitted(frames, training, checkpoint=tmp_path)
-
-
-def test_folds_never_divide_a_press(frames):
-    data = face_data(frames, FACE)
-    fold = press_folds(data, 4, 0)
-    for press in np.unique(data.frames.press_id):
-        assert len(set(fold[data.frames.press_id == press])) == 1
-    sizes = np.bincount(fold[data.contact])
-    assert sizes.max() < 1.2 * sizes.min()
-    with pytest.raises(InputError, match=r"training\.ensemble = 2 needs"):
-        press_folds(
-            data.select(data.frames.press_id == data.frames.press_id[data.contact][0]), 2, 0
-        )
-
-
-@pytest.mark.parametrize("scale", [1.0, 1.6])
-def test_conformal_cover_of_new_presses(scale):
-    """Presses with errors of their own size: 90 % of new presses' frames; a fault (new presses
-    worse than those calibrated on) shows."""
-    rng = np.random.default_rng(5)
-
-    def presses(count):
-        size = rng.gamma(4, 0.25, count)
-        return np.abs(rng.normal(0, 1, (count, 30)) * size[:, None])
-
-    covers = []
-    for _ in range(200):
-        known = presses(20)
-        quantile = conformal_quantile(known.ravel(), np.repeat(np.arange(20), 30), 0.9)
-        covers.append(np.mean(scale * presses(20) <= quantile))
-    assert (0.895 < np.mean(covers) < 0.95) == (scale == 1.0)

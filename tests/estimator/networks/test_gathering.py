@@ -39,12 +39,6 @@ def test_the_likelier_of_two_neighbours_takes_more(sharpness, left):
     assert_allclose(gathered(sharpness)[BESIDE], 0.56 * left, rtol=1e-3)
 
 
-def test_faint_chances_go_and_tips_stay():
-    found = gathered(1.0, faint=0.45)  # beside: 0.36 of the largest
-    assert found[BESIDE] == 0
-    assert_allclose(found[STRONG] / found[WEAK], 0.56 / 1.4 * 1.0 / 0.44, rtol=0.1)
-
-
 def test_neighbours_are_told_by_distance_not_by_pixels():
     coarse = HeadsNetwork(np.ones(9), 2 * GRID_MM, GRID_MM, (4,), 10.0)
     near = coarse.near.reshape(10, 10, 10, 10)[4, 4]

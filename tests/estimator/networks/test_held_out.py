@@ -107,10 +107,10 @@ def test_widths_cover_the_wanted_share_of_held_out_presses(monkeypatch, data, pr
 
 
 def test_the_share_of_the_process_is_blended_with_what_the_network_says():
-    """Forces that are right half by the network, half by the process; places of the heatmap alone."""
+    """Forces that are right by a quarter of the process and the network; places of the heatmap."""
     rng = np.random.default_rng(2)
     given = answered(np.arange(30) // 3, rng)
-    new = np.where(np.arange(30) < 10, 0.0, 0.5)
+    new = np.where(np.arange(30) < 10, 0.0, 0.25)
     columns = dict(given.__dict__)
     columns["process_n"] = np.where(new > 0, rng.uniform(1, 9, 30), np.nan)
     columns["process_mm"] = np.where(new[:, None] > 0, rng.uniform(-5, 5, (30, 2)), np.nan)

@@ -1,8 +1,5 @@
 """A Gaussian process as tensors against scikit-learn's own, and beside networks where frames are novel."""
 
-import copy
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import torch
@@ -14,7 +11,6 @@ from estimator.frames.face_data import channel_counts, face_data, live_channels
 from estimator.frames.splits import split_presses
 from estimator.networks import process as module
 from estimator.networks.face_model import load_model, predict, save_model
-from estimator.networks.intervals.held_out import HeldOutFrames, blended_errors
 from estimator.networks.process import fit_process
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -142,52 +138,6 @@ def test_intervals_hold_at_new_places_because_they_are_wider(model, frames, betw
     without = evaluate_intervals(model, between)
     slope.copy_(kept)
     assert without.position_cover < 0.6, "planted fault: radii that do not grow"
-
-
-@pytest.mark.parametrize("places", [(7, 12), (3,)])
-def test_of_few_places_a_new_one_may_be_anywhere(places):
-    """Of two places each is read as the other one: the radius holds 90 % of the grid about them,
-    and the way between them. It ends at the grid's furthest corner."""
-    few = synthetic_frames(faces=(FACE,), presses=5, loaded=14, places=places)
-    model = fitted(few, TRAINING.model_copy(update={"epochs": 2}))
-    grid = np.stack(np.meshgrid(few.grid_x_mm, few.grid_y_mm, indexing="ij"), axis=-1)
-    grid = grid.reshape(-1, 2)
-    known = grid[list(places)]
-    about_mm = np.linalg.norm(grid - known[:, None], axis=2)
-    expected = max(np.quantile(about_mm, 0.9), about_mm[:, list(places)].max())
-    assert float(model.network.coverage.place_slope_mm) == pytest.approx(expected, abs=0.4)
-    loud = replace(few, signal_counts=-5 * few.signal_counts)
-    data = face_data(loud, FACE)
-    found = predict(model, data.select(data.heatmap_n.sum(axis=(1, 2)) > 5).frames)
-    assert found.novelty.min() > 2
-    furthest_mm = np.linalg.norm(grid - found.xy_mm[:, None], axis=2).max(axis=1)
-    assert_allclose(found.position_radius_mm, np.minimum(furthest_mm, expected), rtol=0, atol=0.4)
-
-
-def test_errors_of_held_out_presses_are_those_of_the_answer_that_the_process_has_its_share_in(
-    model,
-):
-    """Network right and process off by 4 N and 3 mm; at shares of 0, ½ and 1 by hand."""
-    none = np.zeros(3)
-    held_out = HeldOutFrames(
-        press_id=np.arange(3),
-        true_n=none + 5,
-        true_mm=np.zeros((3, 2)),
-        network_n=none + 5,
-        network_mm=np.zeros((3, 2)),
-        heatmap_mm=np.zeros((3, 2)),
-        trees_n=none + 5,
-        trees_mm=np.zeros((3, 2)),
-        process_n=none + 9,
-        process_mm=np.tile([3.0, 0.0], (3, 1)),
-        spread_n=none + 1,
-        spread_mm=none + 1,
-        distance=none,
-    )
-    network = copy.deepcopy(model.network)
-    missed_n, away_mm = blended_errors(network, held_out, np.array([0.0, 0.5, 1.0]))
-    assert_allclose(missed_n, [0, 2, 4])
-    assert_allclose(away_mm, [0, 1.5, 3])
 
 
 def test_a_process_and_trees_survive_the_file(model, between, tmp_path):

@@ -120,7 +120,7 @@ def test_no_press_and_no_rest(tmp_path):
 
 
 @settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
 def test_fuzzed_files_raise_input_errors_only(tmp_path, good_text, data):

@@ -262,18 +262,17 @@ def test_a_recording_that_still_grows_is_read_as_far_as_it_goes(bench):
         assert [row["grasp"] for row in table] == list(range(1, grasps + 1))
 
 
-@pytest.mark.parametrize("cells", [False, True])
-def test_jolts_of_an_imu_stand_beside_their_grasps(bench, cells):
+def test_jolts_of_an_imu_stand_beside_their_grasps(bench):
     """The second grasp is hit by 30 m/s² in its hold."""
     _, counts = handled(GENTLE_N[:2], 3)
     quiet = np.random.default_rng(4).normal(0, 15, (40, counts.shape[1]))
     motion = np.tile([0.0, 0.0, 9.80665, 0.0, 0.0, 0.0], (40 + len(counts), 1))
     motion[40 + len(FORCE) + 12, 2] += 30.0
-    raw_csv(bench / f"moved{cells}.csv", np.concatenate([quiet, counts]), cells, motion=motion)
-    done = run("assess", f"moved{cells}.csv", "--model", "model", "--json", cwd=bench)
+    raw_csv(bench / "moved.csv", np.concatenate([quiet, counts]), cells=True, motion=motion)
+    done = run("assess", "moved.csv", "--model", "model", "--json", cwd=bench)
     document = json.loads(done.stdout)
     assert any("IMU: hardest jolt 30.0 m/s² beyond gravity" in text for text in document["texts"])
-    with (bench / f"runs/moved{cells}/assess/grasps.csv").open() as file:
+    with (bench / "runs/moved/assess/grasps.csv").open() as file:
         jolts = [float(row["jolt_m_s2"]) for row in csv.DictReader(file)]
     assert jolts == pytest.approx([0.0, 30.0], abs=0.1)
 

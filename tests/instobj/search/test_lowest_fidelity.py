@@ -108,15 +108,6 @@ def test_a_trial_whose_time_is_over_ends_and_is_no_worse_than_it_began(is_start)
         assert cut.values[0] <= 1.001 * before["worst_position_bound_mm"]
 
 
-def test_a_start_with_little_time_is_better_than_it_began():
-    space, lowest, before = made_up_search(steps=300)
-    planned, seconds = plan_trial(space, 0.5, 3.0, FIRST_LOOK_S)
-    (walked,) = score_trials(planned, lowest, [start_params(space)], seconds)
-    assert 0 < walked.generations < 20
-    assert (walked.broken_mm, walked.misfit) == (0.0, "")
-    assert walked.values[0] < before["worst_position_bound_mm"]
-
-
 def test_a_layout_that_breaks_limits_says_which_most():
     space, lowest, _ = made_up_search(steps=0)
     middle = params_at(space, np.full(len(space.variables), 0.5))

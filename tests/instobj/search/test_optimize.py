@@ -165,7 +165,7 @@ def test_a_written_layout_is_read_back(tmp_path):
     assert changed == {"name"}
 
 
-@pytest.mark.parametrize("example", ["paper_cube", "ball", "handle"])
+@pytest.mark.parametrize("example", ["ball", "handle"])
 def test_an_empty_table_moves_magnets_and_sensors_over_the_whole_face(example):
     spec = load_spec(EXAMPLES / f"{example}.toml")
     space = require_possible(spec.changed(search=SearchSpec()))
@@ -194,7 +194,8 @@ def test_too_little_time_is_refused_and_leaves_nothing_to_resume(tmp_path, monke
     assert not list((tmp_path / "runs").glob("**/trials.jsonl"))
 
 
-def test_an_impossible_search_ends_with_one_error(tmp_path):
+def test_an_impossible_search_ends_with_one_error(tmp_path, monkeypatch):
+    monkeypatch.setattr(possible, "WALKS", 1)
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     with pytest.raises(InputError, match="pocket gap"):
