@@ -54,8 +54,8 @@ def compressed(
     _, size, vectors = np.linalg.svd(root @ columns, full_matrices=False)
     if rank is None:
         # what the first 1, 2, … vectors leave out, squared
-        left = np.maximum(1 - np.cumsum(size**2) / np.sum(size**2), 0.0)
-        rank = 1 + int(np.count_nonzero(left > LEFT_OUT**2))
+        remainder = np.maximum(1 - np.cumsum(size**2) / np.sum(size**2), 0.0)
+        rank = 1 + int(np.count_nonzero(remainder > LEFT_OUT**2))
     vectors = vectors[:rank]
     mixed = columns @ vectors.T
     rows = [(table @ mixed).reshape(len(table), -1) for table in tables]

@@ -361,7 +361,9 @@ export async function startExplore(root, model) {
   on("release", "click", () => press([]));
   for (const kind of ["magnet", "sensor"]) {
     on(`add-${kind}`, "click", () => change((design) => {
-      listsOf(design, kind).forEach((list) => list.push(freePlace(list, content.faces[0])));
+      const lists = listsOf(design, kind), rooms = content.room_mm[kind];
+      const least = [0, 1].map((axis) => Math.min(...rooms.map((room) => room[axis]))); // one list serves every face
+      lists.forEach((list, face) => list.push(freePlace(list, content.faces[0], lists.length === rooms.length ? rooms[face] : least)));
       if (kind === "magnet") eachMagnet(design.magnets, (list) => list.push(copy(list.at(-1))));
     }));
   }
@@ -418,9 +420,9 @@ function eachMagnet(magnets, act) {
 }
 
 // Of a coarse lattice over the face, the place that is farthest from the others.
-function freePlace(taken, face) {
+function freePlace(taken, face, room) {
   const shares = Array.from({ length: 81 }, (_, k) => [(k % 9) / 4 - 1, Math.floor(k / 9) / 4 - 1]);
-  const places = shares.map((share) => share.map((part, axis) => rounded(0.55 * part * face.half_mm[axis])));
+  const places = shares.map((share) => share.map((part, axis) => rounded(part * Math.min(0.55 * face.half_mm[axis], room[axis]))));
   const near = places.map((at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity));
   return places[near.indexOf(Math.max(...near))];
 }
