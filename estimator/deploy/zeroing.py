@@ -192,7 +192,8 @@ class RestZero:
         change = level - self.level
         still = self.read(change, len(self.window))
         let_go, self._held = self._is_let_go(level), level
-        if still.contact >= 0.5 and still.explained is not False and still.force_n > self._press_n:
+        pressed = still.contact >= 0.5 and still.explained is not False
+        if pressed and still.force_n > self._press_n:
             self._press_n, self._press = still.force_n, change
         if let_go:
             self.start(level)
