@@ -75,27 +75,11 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
         assert found.magnets.north[k] == params[f"magnet{k + 1}_north"]
 
 
-def axes_of(spec):
-    """Centre and north of every magnet of face 1, as long as it is strong."""
-    from design.layout.places.positions import magnet_layout
-
-    layout = magnet_layout(spec)
-    own = layout.face == 1
-    return layout.centre_mm[own], (layout.strength[:, None] * layout.axis)[own]
-
-
 SIZES = [f"magnet{k}_size" for k in range(1, 6)]
 VARY = {
     k: EVERYTHING[k]
     for k in ("magnet_reach_mm", "magnet_depth_mm", "magnet_tilt_deg", "magnet_north")
 }
-
-
-def with_layout_of_magnets(spec, update):
-    content = spec.model_dump(mode="json")
-    content["magnets"] |= update
-    content["magnets"] = {k: v for k, v in content["magnets"].items() if v is not None}
-    return parse_spec(content, "made up")
 
 
 def test_poles_leave_grades_as_they_are():

@@ -57,7 +57,7 @@ def test_a_second_slip_adds_to_the_first():
 
 def test_rest_a_press_that_is_not_quite_gone_and_a_magnet_are_no_slip():
     rng = np.random.default_rng(9)
-    for _ in range(40):
+    for _ in range(20):
         leftover = 0.05 * motion_of(*contacts(rng, 1, 2, (4.0, 12.0)))
         magnet_t = foreign_magnets_t(SPEC, rng, 1, rng.uniform(50, 120), 0.4)
         assert slip_at_rest(inverted(), resting_mean(rng), REST_FRAMES) is None

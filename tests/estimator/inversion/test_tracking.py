@@ -269,10 +269,9 @@ def held(number, rng, frames=100):
     return contact[0, :, 2].sum(), counts + (turn + warm) @ inverted().disturbances.columns.T
 
 
-@pytest.mark.parametrize("number", [1, 3])
-def test_a_zero_that_follows_rest_eats_no_hold_of_a_turning_object(number):
-    """Zero and readings move by turning and warmth; forces of holds stay, of one tip and of several."""
-    force_n, counts = held(number, np.random.default_rng(30 + number))
+def test_a_zero_that_follows_rest_eats_no_hold_of_a_turning_object():
+    """Zero and readings move by turning and warmth; the force of a hold stays (of two tips: below)."""
+    force_n, counts = held(1, np.random.default_rng(31))
     reader = LiveContacts(inverted())
     found = [reader.feed(row.reshape(5, 3, 3), k / 5) for k, row in enumerate(counts + 700.0)]
     read = [np.nansum(one.force_n) for one in found[40:]]

@@ -367,12 +367,6 @@ def position_frozen(bench):
     bench.machine.said = said
 
 
-def other_channels_at_the_stop(bench):
-    """Brief A2: another header comes while the tip is raised."""
-    machine_does(lambda machine: machine._answer("error:2"), in_press)(bench)
-    board_says(OTHER, stopping)(bench)
-
-
 def starts_anew_at_the_stop(bench):
     """The reset that a stop asks for takes the machine's supply down: it greets, unlocked, at zero."""
     when = in_press(bench, lambda: bench.machine.refuse.append(2))
