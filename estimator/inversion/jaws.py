@@ -1,5 +1,4 @@
-"""Flat jaws over faces or parts of them, read from frames: another kind of contact, weighed against tips by
-evidence.
+"""Flat jaws over faces or parts of them, read from frames: a kind of contact, weighed against tips.
 
 A jaw is a rigid plane that presses a rectangle of a face (`fem.contact.jaw`): its force, two leans, and each
 edge that lies on the face are unknown; an edge beyond the border is none. Jaws add up as motions, and the
