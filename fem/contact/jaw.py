@@ -24,7 +24,7 @@ _LEAST_SHARE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class JawFace:
-    """What a jaw needs of one face.
+    """One face as a jaw needs it.
 
     Attributes
     ----------
