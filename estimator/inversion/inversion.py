@@ -207,7 +207,7 @@ class Inversion:
         faces = tips.face[0][tips.face[0] != NO_FACE]
         split = len(faces) > len(np.unique(faces))
         if split or fit.beats(log_evidence) or not tips.explained[0]:
-            fit = self.jaws.over_parts(observations, fit)
+            fit = self.jaws.fit_parts(observations, fit)
         return fit if fit.beats(log_evidence) else None
 
     def jaw_reading(self, fit: JawFit, tips: ContactSets) -> ContactSets:

@@ -1,5 +1,4 @@
-"""Flat jaws over faces or parts of them, read from frames: another kind of contact, weighed against tips by
-evidence.
+"""Flat jaws over faces or parts of them, read from frames: a kind of contact, weighed against tips.
 
 A jaw is a rigid plane that presses a rectangle of a face (`fem.contact.jaw`): its force, two leans, and each
 edge that lies on the face are unknown; an edge beyond the border is none. Jaws add up as motions, and the
@@ -136,9 +135,9 @@ class Jaws:
         """Return the jaws of the frame before, as they are in this one."""
         problem = _Problem(self, observations, last.faces, last.free.ravel())
         fit = problem.fitted(last.pose.ravel(), _ROUNDS_FROM_LAST)
-        return _beside_others(fit, fit.covariance, last.off, last.among)
+        return _with_others(fit, fit.covariance, last.off, last.among)
 
-    def over_parts(self, observations: Observations, over_whole: JawFit) -> JawFit:
+    def fit_parts(self, observations: Observations, over_whole: JawFit) -> JawFit:
         """Return jaws that may cover parts of the faces: the mean of fits with all edges unknown, and with
         ever fewer, down to those over whole faces."""
         group, fits = over_whole.faces, [over_whole]
@@ -178,7 +177,7 @@ class Jaws:
         for jaw, table in enumerate(self.tables_of(group)):
             pose = poses[:, _POSE * jaw : _POSE * (jaw + 1)]
             shapes, row = np.unique(pose[:, 1:], axis=0, return_inverse=True)
-            per_newton = np.stack([_per_newton(table, shape) for shape in shapes])
+            per_newton = np.stack([_motion_of_newton(table, shape) for shape in shapes])
             moved += pose[:, 0, None, None] * per_newton[row.ravel()]
         return self.model.counts_of_motions(moved)
 
@@ -198,13 +197,15 @@ class Jaws:
             edges = np.array([[*x, *y] for x, y in product(*sides)])
             leans = np.array([[0.0, 0.0], [_SMALL_LEAN, 0.0], [0.0, _SMALL_LEAN]])
             shapes = [np.r_[lean, part] for part in edges for lean in leans]
-            moved = np.stack([_per_newton(table, shape) for shape in shapes])
+            moved = np.stack([_motion_of_newton(table, shape) for shape in shapes])
             counts = self.model.counts_of_motions(_SMALL_N * moved) / _SMALL_N
             self._parts[face] = edges, counts.reshape(len(edges), len(leans), -1)
         return self._parts[face]
 
 
-def _per_newton(table: JawFace, shape: Float[np.ndarray, "6"]) -> Float[np.ndarray, "magnet 6"]:
+def _motion_of_newton(
+    table: JawFace, shape: Float[np.ndarray, "6"]
+) -> Float[np.ndarray, "magnet 6"]:
     """Motions per newton of a jaw of two leans and four edges."""
     force, _, motion = table.press(shape[:2], shape[2:].reshape(2, 2))
     return motion / force
@@ -219,10 +220,10 @@ def _mean(fits: Sequence[JawFit]) -> JawFit:
     away = values - best.values - off
     among = np.average(away[..., :, None] * away[..., None, :], axis=0, weights=odds)
     covariance = np.average([fit.covariance for fit in fits], axis=0, weights=odds)
-    return _beside_others(best, covariance, off, among)
+    return _with_others(best, covariance, off, among)
 
 
-def _beside_others(
+def _with_others(
     fit: JawFit,
     covariance: Float[np.ndarray, "jaw 5 5"],
     off: Float[np.ndarray, "jaw 5"],
@@ -291,7 +292,7 @@ class _Problem:
         step = share * self.width
         return np.where(pose + step > self.bounds[1], -step, step)
 
-    def _within(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "k"]:
+    def _clipped(self, pose: Float[np.ndarray, "k"]) -> Float[np.ndarray, "k"]:
         """The nearest pose within bounds, of edges that are wide enough apart."""
         clipped = np.clip(pose, *self.bounds)
         for first in range(0, len(pose), _POSE):
@@ -370,7 +371,7 @@ class _Problem:
         self, pose: Float[np.ndarray, "k"], rounds: int
     ) -> tuple[Float[np.ndarray, "k"], float, Float[np.ndarray, "free free"]]:
         """Return the pose of least misfit near a start, its half χ², and the curvature there."""
-        pose, free = self._within(pose), self.free
+        pose, free = self._clipped(pose), self.free
         residual = self._residual(pose)
         misfit, damping = 0.5 * float(residual @ residual), 1e-3
         # even priors; their normal stand-in keeps the curvature regular, as with tips
@@ -382,7 +383,7 @@ class _Problem:
             damped = curvature + damping * np.diag(np.diag(curvature))
             step = np.zeros_like(pose)
             step[free] = np.linalg.solve(damped, slopes @ residual)
-            tried = self._within(pose - step)
+            tried = self._clipped(pose - step)
             ahead = self._residual(tried)
             reached = 0.5 * float(ahead @ ahead)
             if reached >= misfit:

@@ -24,7 +24,7 @@ _LEAST_SHARE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class JawFace:
-    """What a jaw needs of one face.
+    """One face as a jaw needs it.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float
 
 
 def face_cells(half_mm: Float[np.ndarray, "2"], count: int) -> Patches:
-    """Return so many cells along each side of a face; with `CELLS` those of `JawFace`."""
+    """Return `count` cells along each side of a face; `CELLS` of them are those of `JawFace`."""
     (x, width), (y, height) = (
         _covered_mm(half, half * np.array([-1.0, 1.0]), count) for half in half_mm
     )
