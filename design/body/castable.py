@@ -63,7 +63,7 @@ def noise_mm(surface: trimesh.Trimesh) -> float:
     between = surface.edges_unique
     neighbours = np.bincount(between.ravel(), minlength=len(surface.vertices))
 
-    def over_neighbours(values: Float[np.ndarray, "corner n"]) -> Float[np.ndarray, "corner n"]:
+    def above_neighbours(values: Float[np.ndarray, "corner n"]) -> Float[np.ndarray, "corner n"]:
         total = np.zeros_like(values)
         np.add.at(total, between[:, 0], values[between[:, 1]])
         np.add.at(total, between[:, 1], values[between[:, 0]])
@@ -71,8 +71,8 @@ def noise_mm(surface: trimesh.Trimesh) -> float:
 
     corners = np.asarray(surface.vertices)
     # a corner's height is the component of its offset along its normal
-    heights = np.sum(over_neighbours(corners) * surface.vertex_normals, axis=1, keepdims=True)
-    rest = over_neighbours(heights)
+    heights = np.sum(above_neighbours(corners) * surface.vertex_normals, axis=1, keepdims=True)
+    rest = above_neighbours(heights)
     # 1.4826 median deviations are one standard deviation of a normal distribution
     return float(1.4826 * np.median(abs(rest - np.median(rest)))) / _REST_OF_NOISE
 
