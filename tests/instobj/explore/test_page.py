@@ -167,7 +167,9 @@ def test_parts_are_added_where_every_limit_is_kept_until_there_is_no_room(page, 
 def test_the_page_opens_at_the_force_that_is_judged_though_no_search_names_it(page):
     spec = made_explorer().spec
     assert spec.score.force_n not in spec.search.forces_n
-    assert page.ask("document.querySelector('[data-name=force]').value") == f"{spec.score.force_n:g}"
+    assert (
+        page.ask("document.querySelector('[data-name=force]').value") == f"{spec.score.force_n:g}"
+    )
     judged = made_explorer().judge(spec, spec.score.force_n).position_bound_mm
     np.testing.assert_array_equal(page.ask("instobjExplore.map()"), np.float32(judged.ravel()))
 
