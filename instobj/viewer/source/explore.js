@@ -135,7 +135,7 @@ export async function startExplore(root, model) {
 
   // One question at a time; what changes meanwhile is asked next, with the newest design only.
   let [busy, again, asked] = [false, false, 0];
-  let [checking, checkAgain] = [false, false];
+  let [checking, checkAgain, adding] = [false, false, false];
   const question = (design) => ({ design, figure: find("figure").value, force_n: Number(find("force").value) });
   async function update(handAt) {
     if (handAt) asked = asked || handAt;
@@ -168,6 +168,7 @@ export async function startExplore(root, model) {
     }
     return answer;
   }
+  const limitsOf = (design) => ask("limits", { design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] }));
   // Beside the map, as it takes longer; the newest design is checked at the end.
   async function checkLimits() {
     if (checking) return void (checkAgain = true);
@@ -175,7 +176,7 @@ export async function startExplore(root, model) {
     do {
       checkAgain = false;
       const rest = new Promise((done) => setTimeout(done, CHECK_EVERY_MS)); // of the processor, for the hand
-      await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] })).then(showLimits);
+      showLimits(await limitsOf(state.design));
       await rest;
     } while (checkAgain);
     checking = false;
@@ -359,13 +360,30 @@ export async function startExplore(root, model) {
   on("silicone", "change", () => change(({ silicone }) => (silicone.name = find("silicone").value)));
   SIZES.forEach((name, axis) => on(name, "change", () => change((design) => (design.body.size_mm[axis] = Number(find(name).value)))));
   on("release", "click", () => press([]));
+  // A part more on every face: of its free places the one farthest from its kind that keeps all limits.
+  async function addPart(kind) {
+    const begun = JSON.stringify(state.design), design = copy(state.design);
+    const lists = listsOf(design, kind), rooms = content.room_mm[kind], ofFaces = lists.length === rooms.length;
+    const least = [0, 1].map((axis) => Math.min(...rooms.map((room) => room[axis]))); // one list serves every face
+    const free = lists.map((list, face) => freePlaces(list, content.faces[ofFaces ? face : 0], ofFaces ? rooms[face] : least));
+    const given = (await limitsOf(design)).broken.map(({ text }) => text);
+    if (kind === "magnet") eachMagnet(design.magnets, (list) => list.push(copy(list.at(-1))));
+    lists.forEach((list, face) => list.push(free[face].shift()));
+    for (;;) {
+      const broken = (await limitsOf(design)).broken.filter(({ text }) => !given.includes(text));
+      if (JSON.stringify(state.design) !== begun) throw new Error("Something else was changed meanwhile: add the part again.");
+      if (!broken.length) return change(() => { state.design = design; });
+      const named = (face) => !ofFaces || broken.some(({ faces }) => !faces.length || faces.includes(content.faces[face].number));
+      lists.forEach((list, face) => named(face) && list.splice(-1, 1, free[face].shift()));
+      if (lists.some((list) => !list.at(-1))) throw new Error(`No room for one more ${kind === "magnet" ? "magnet" : "chip"} on every face was found: ${told(broken[0])}`);
+    }
+  }
   for (const kind of ["magnet", "sensor"]) {
-    on(`add-${kind}`, "click", () => change((design) => {
-      const lists = listsOf(design, kind), rooms = content.room_mm[kind];
-      const least = [0, 1].map((axis) => Math.min(...rooms.map((room) => room[axis]))); // one list serves every face
-      lists.forEach((list, face) => list.push(freePlace(list, content.faces[0], lists.length === rooms.length ? rooms[face] : least)));
-      if (kind === "magnet") eachMagnet(design.magnets, (list) => list.push(copy(list.at(-1))));
-    }));
+    on(`add-${kind}`, "click", async () => {
+      adding = find(`add-${kind}`).disabled = true;
+      await addPart(kind).then(() => "", ({ message }) => message).then((text) => (find("trouble").textContent = text));
+      adding = find(`add-${kind}`).disabled = false;
+    });
   }
   on("remove", "click", () => change((design) => {
     const { kind, number } = state.chosen;
@@ -393,7 +411,7 @@ export async function startExplore(root, model) {
   await update();
   work.watch();
   window.instobjExplore = {
-    state: () => state, idle: () => !busy && !again && !checking, exact: () => content.scene.endsWith("full"), latencies: () => latencies, forget: () => (latencies.length = 0),
+    state: () => state, idle: () => !busy && !again && !checking && !adding, exact: () => content.scene.endsWith("full"), latencies: () => latencies, forget: () => (latencies.length = 0),
     where: (kind, index) => parts.where(kind, index, view), at: (kind, index) => parts.at(kind, index), dent: () => body.deepest(), map: () => Array.from(arrays.map_live.data),
   };
   root.querySelector("#instobj-explore").dataset.ready = "yes";
@@ -419,12 +437,12 @@ function eachMagnet(magnets, act) {
   Object.entries(magnets).forEach(([key, list]) => key !== "positions_mm" && Array.isArray(list) && act(list));
 }
 
-// Of a coarse lattice over the face, the place that is farthest from the others.
-function freePlace(taken, face, room) {
+// Places of a coarse lattice over the face, the farthest from the others first.
+function freePlaces(taken, face, room) {
   const shares = Array.from({ length: 81 }, (_, k) => [(k % 9) / 4 - 1, Math.floor(k / 9) / 4 - 1]);
   const places = shares.map((share) => share.map((part, axis) => rounded(part * Math.min(0.55 * face.half_mm[axis], room[axis]))));
-  const near = places.map((at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity));
-  return places[near.indexOf(Math.max(...near))];
+  const near = (at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity);
+  return places.sort((a, b) => near(b) - near(a));
 }
 
 function makeBody({ content, arrays }, view) {

@@ -13,11 +13,11 @@ from aiohttp import web
 
 from design.layout.body import face_frames
 from design.spec_io import load_spec
-from instobj.explore.design import with_design
+from instobj.explore.design import broken_limits, with_design
 from instobj.explore.engine import open_coarse_explorer, summary_of
 from instobj.explore.server import Session, application
 from tests.support.browser import Browser, chromium
-from tests.support.made_explorer import FORCES_N, made_explorer
+from tests.support.made_explorer import made_explorer
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
 READY = (
@@ -36,7 +36,7 @@ def served(tmp_path_factory):
     (folder / "cube.toml").write_text(
         'name = "cube"  # mine\n[contact_grid]\ncount = [5, 4]\npitch_mm = 6.0\n'
         f"[sensors]\n{noise}[tolerances]\nearth_field_ut = {spec.tolerances.earth_field_ut}\n"
-        f'[search]\nforces_n = {list(FORCES_N)}\n[limits]\nuse = "bench"\n'
+        f'[search]\nforces_n = {list(spec.search.forces_n)}\n[limits]\nuse = "bench"\n'
     )
     app = application(Session(made_explorer(), folder / "cube.toml"), ThreadPoolExecutor(1))
     listening = socket.create_server(("127.0.0.1", 0))
@@ -149,6 +149,29 @@ def test_what_breaks_a_limit_is_told_with_checks_sentence(page):
     assert len(design(page)["magnets"]["north"]) == 6
     click(page, "save")
     page.wait("document.getElementById('trouble').innerText.startsWith('not saved')")
+
+
+@pytest.mark.parametrize(("kind", "name"), [("magnet", "magnet"), ("sensor", "chip")])
+def test_parts_are_added_where_every_limit_is_kept_until_there_is_no_room(page, kind, name):
+    spec = made_explorer().spec
+    taken = [design(page)]
+    while not (trouble := shown(page, "trouble")):
+        click(page, f"add-{kind}")
+        taken.append(design(page))
+        assert broken_limits(with_design(spec, taken[-1])) == []
+    assert len(taken) > 2
+    assert taken[-1] == taken[-2]
+    assert trouble.startswith(f"No room for one more {name} on every face was found: ")
+
+
+def test_the_page_opens_at_the_force_that_is_judged_though_no_search_names_it(page):
+    spec = made_explorer().spec
+    assert spec.score.force_n not in spec.search.forces_n
+    assert (
+        page.ask("document.querySelector('[data-name=force]').value") == f"{spec.score.force_n:g}"
+    )
+    judged = made_explorer().judge(spec, spec.score.force_n).position_bound_mm
+    np.testing.assert_array_equal(page.ask("instobjExplore.map()"), np.float32(judged.ravel()))
 
 
 def test_a_press_shows_each_chips_counts(page):
