@@ -22,9 +22,9 @@ TOLERANCE_MM = 0.3
 """Largest distance between a file's surface and an exact kind that stands for it: a layer and a half of a
 print."""
 _ENVELOPE_MM = 0.03
-"""How far triangles of an exact kind may leave it: a tenth of the tolerance."""
+"""Distance by which triangles of an exact kind may leave it: a tenth of the tolerance."""
 _DECIMALS = 1
-"""Of sizes in mm."""
+"""Decimals of the sizes in mm."""
 _SAMPLES, _FEW = 2000, 200
 """Points of an exact kind at which its distance to the file's surface is measured, besides its corners, and
 corners of that surface that are measured first."""
