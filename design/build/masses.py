@@ -15,6 +15,7 @@ from jaxtyping import Float
 from design.body.meshes import boolean_of
 from design.body.triangles import block_surface
 from design.build.parts import parts_of
+from design.errors import NotOneSolid
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import board_blocks
 from design.layout.body import body_of
@@ -70,6 +71,19 @@ def masses_of(spec: ObjectSpec) -> dict[str, Mass]:
         "magnets": total([magnet.scaled(MAGNET_G_PER_CM3) for magnet in magnets]),
         "boards": total([board.scaled(BOARD_G_PER_CM3) for board in boards]),
     }
+
+
+def mass_text(spec: ObjectSpec) -> str:
+    """Return the mass of the whole object, of its parts, and its centre, or why they are unknown."""
+    try:
+        masses = masses_of(spec)
+    except NotOneSolid as error:
+        return f"mass is unknown: {error}"
+    whole = total(masses.values())
+    parts = ", ".join(f"{part} {mass.mass_g:.1f}" for part, mass in masses.items())
+    # a centre at −0.04 is one at 0
+    centre = ", ".join(f"{round(x, 1) + 0.0:.1f}" for x in whole.centre_mm.tolist())
+    return f"{whole.mass_g:.1f} g without wires ({parts}), centre of mass at ({centre}) mm"
 
 
 def total(masses: Iterable[Mass]) -> Mass:

@@ -104,16 +104,23 @@ def _electronics(spec: ObjectSpec, plan: BusPlan) -> list[OrderLine]:
 
 def _casting(spec: ObjectSpec) -> list[OrderLine]:
     """Silicone or the filament of a printed shell, and what keeps it from sticking or makes it stick."""
-    kits, wanted = -(-silicone_amount(spec).mixed_g // SILICONE_KIT_G), [(GLUE, 1)]
-    if spec.silicone.name in ORDERS:
-        wanted.insert(0, (spec.silicone.name, int(kits)))
+    wanted = [(GLUE, 1)]
     if spec.silicone.cure != "none":
         wanted += [(PRIMER, 1), (RELEASE, 1)]
     if opening_of(spec) == "open":
         wanted.append((ADHESIVE, 1))
     if mould_style(spec) == "split" and why_no_mould(spec) is None:
         wanted.append((SCREW, SCREWS))
-    return [_line(ORDERS[name], pieces) for name, pieces in wanted]
+    return [_silicone(spec), *(_line(ORDERS[name], pieces) for name, pieces in wanted)]
+
+
+def _silicone(spec: ObjectSpec) -> OrderLine:
+    """Order kits, or by its name alone what the catalogue does not know."""
+    name, mixed_g = spec.silicone.name, silicone_amount(spec).mixed_g
+    if name in ORDERS:
+        return _line(ORDERS[name], int(-(-mixed_g // SILICONE_KIT_G)))
+    note = f"{mixed_g:.0f} g; its price is not known and in no sum; {CHECK}"
+    return OrderLine(name, "not in the catalogue", name, 1, 1, 0.0, 0.0, PRICED, note)
 
 
 def _line(order: Order, pieces: int) -> OrderLine:

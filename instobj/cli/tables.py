@@ -42,6 +42,7 @@ def print_result(result: dict[str, Any]) -> None:
             f"  {row['contact_locations']} contact locations cover {100 * row['covered_share']:.0f} % of "
             f"the sensed surface, {each} mm² each"
         )
+        console.print(f"  {row['mass']}")
         console.print(f"  {row['outlook']}")
         console.print(
             f"  modulus {row['modulus']}. Force at a given depth: {row['force_at_a_travel']}"

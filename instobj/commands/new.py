@@ -33,6 +33,7 @@ from design.layout.mould.frame import (
 )
 from design.layout.places.coverage import covered_share
 from design.placement.asked import most_printed_mm, placements
+from design.placement.exact_kinds import exact_kind_in_words
 from design.placement.hooking import (
     castable_request,
     hooked_by_azimuth_mm,
@@ -101,8 +102,8 @@ def new_specification(
     tables: Tables | None = None
     if request is not None and request.file:
         request, changed = castable_request(request, castable)
-        if changed:
-            warnings.warn(changed, stacklevel=2)
+        for text in filter(None, (changed, exact_kind_in_words(request))):
+            warnings.warn(text, stacklevel=2)
     if request is not None:
         try:
             tables, failed = (design or designed)(request)

@@ -86,6 +86,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
 
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification as `check` does, and say what its surroundings do to it."""
+    from design.build.masses import mass_text
     from design.fit.boards import boards_across_edges
     from design.fit.roughness import roughness_in_words
     from design.fit.seam import seam_in_words
@@ -117,6 +118,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
                 "range_mt": checked.range_mt,
                 "contact_locations": int(contact_places(spec).sum()),
                 "covered_share": round(covered_share(spec), 4),
+                "mass": mass_text(spec),
                 "outlook": outlook_text(spec),
                 "cell_areas_mm2": [round(float(end), 3) for end in (cells.min(), cells.max())],
                 "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,

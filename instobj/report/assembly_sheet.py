@@ -13,6 +13,7 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.build.bom import bill_of_materials
 from design.build.manifest import BuildManifest, PartManifest
+from design.build.masses import mass_text
 from design.build.order_list import OrderLine, price_text
 from design.layout.boards import board_blocks, wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
@@ -77,6 +78,7 @@ def assembly_sheet(
         prints=[_print(part) for part in manifest.parts if part.printing is not None],
         steps=steps(spec, parts),
         materials=_materials(spec, manifest, plan),
+        mass=mass_text(spec),
         orders=[_order(line) for line in orders],
         cost=price_text(orders) if orders else "",
     )

@@ -83,7 +83,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell", "imu"),
         make_sheet,
-        version=14,
+        version=15,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

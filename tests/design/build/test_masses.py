@@ -1,5 +1,7 @@
 """Masses of objects against closed forms and integrals over the triangles of their parts."""
 
+import re
+
 import numpy as np
 import pytest
 import trimesh
@@ -9,6 +11,7 @@ from design.build.masses import (
     BOARD_G_PER_CM3,
     MAGNET_G_PER_CM3,
     Mass,
+    mass_text,
     masses_of,
     solid_mass,
     total,
@@ -20,6 +23,8 @@ from design.layout.places.positions import magnet_layout
 from design.solids.body import cavity_solid, outer_solid
 from design.solids.booleans import convert_to_triangles
 from design.solids.kernel import cq
+from design.spec.body import CoreSpec
+from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
 FINE = 0.002, 0.05
@@ -123,6 +128,25 @@ def test_the_whole_is_the_integral_over_the_triangles_of_all_parts(body, changes
     masses = masses_of(spec)
     agree(total(masses.values()), *summed_integrals(weighted))
     assert masses["shell"].mass_g == pytest.approx(silicone_amount(spec).mass_g, rel=1e-3)
+
+
+def test_the_text_holds_the_sum_of_the_parts_and_their_centre():
+    """Of the paper's cube, its core open below: the centre lies above the middle."""
+    cube = ObjectSpec(name="cube")
+    figures = [float(x) for x in re.findall(r"-?\d+\.\d", mass_text(cube))]
+    whole, *parts, x, y, z = figures
+    assert whole == pytest.approx(sum(parts), abs=0.2)
+    assert whole == pytest.approx(sum(mass.mass_g for mass in masses_of(cube).values()), abs=0.051)
+    assert (x, y) == (0.0, 0.0)
+    assert "-0.0" not in mass_text(cube)
+    assert z == pytest.approx(total(masses_of(cube).values()).centre_mm[2], abs=0.051)
+    assert 1 < z < 3
+
+
+def test_a_core_that_is_no_solid_has_no_mass():
+    wide = CoreSpec(wire_hole_top_diameter_mm=60.0, wire_hole_side_diameter_mm=60.0)
+    broken = ObjectSpec(name="cube").model_copy(update={"core": wide})
+    assert mass_text(broken).startswith("mass is unknown: core must be one closed body")
 
 
 def _placed(block):

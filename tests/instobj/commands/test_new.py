@@ -503,6 +503,7 @@ def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
     request = request_of(file=tin(tmp_path))
     with (
         pytest.warns(UserWarning, match="up to 5 mm off the scan"),
+        pytest.warns(UserWarning, match=r"a cylinder within 0\.0.*`--kind cylinder --size 59\.9"),
         pytest.raises(InputError, match="too small"),
     ):
         new_specification("mine", tmp_path, request, no_place)
@@ -513,7 +514,10 @@ def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
         return placed_tables("box") | {"body": {"kind": "box", "size_mm": [50.0, 50.0, 50.0]}}, []
 
     castable = tmp_path / "mine_castable.stl"
-    with pytest.warns(UserWarning, match=r"mine_castable\.stl is designed instead"):
+    with (
+        pytest.warns(UserWarning, match=r"mine_castable\.stl is designed instead"),
+        pytest.warns(UserWarning, match="takes the exact kind"),
+    ):
         path = new_specification("mine", tmp_path, request, placed)
     for changed in asked:
         assert dict(changed.file) == {"file": str(castable), "scale": 1.0}

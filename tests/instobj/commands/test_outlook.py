@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from design.build.masses import mass_text
 from design.placement.objects import (
     COARSE,
     SHELL_VARIANTS,
@@ -179,6 +180,7 @@ def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
     path.write_text(specification_text("big", tmp_path, big[1]), encoding="utf-8")
     row = check_specifications([path], [])["specifications"][0]
     assert row["outlook"] == expected_text(spec, first_score(spec)) in placed_text(path)
+    assert row["mass"] == mass_text(spec)
     assert f"cover {100 * row['covered_share']:.0f} % of the sensed surface" in placed_text(path)
     turned = spec.changed(sensors=spec.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),)))
     assert "sensors.rotations_deg" in outlook_text(turned)

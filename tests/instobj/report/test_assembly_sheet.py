@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
+from design.build.masses import mass_text
 from design.build.order_list import order_list
 from design.catalogue.bus_parts import MEGA2560
 from design.layout.mould.pins import PinKind, loose_pins, pins_by_kind
@@ -112,6 +113,7 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     faces = re.findall(r"<figure>.*?</figure>", page, re.S)
     assert len(faces) == 5
     assert page.count('<figure class="boards">') == 5
+    assert mass_text(spec) in page
     for face in faces:
         poles = re.findall(r'cx="([-\d.]+)" cy="([-\d.]+)".*?>([NS])</text>', face)
         assert poles == [("0", "-0", "N"), ("9", "-8", "S")], "y points up, outward poles"
