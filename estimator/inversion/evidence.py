@@ -34,19 +34,31 @@ def log_inside(bounds: Bounds, priors: Priors, problems: Problems) -> Float[np.n
     deviations outside, the mass inside is exp(d²/2) Φ(−d) of what Laplace's approximation makes of the
     height at the bound.
     """
-    from scipy.special import log_ndtr
-
     curvature = bounded_curvature(problems, priors)
     shape = problems.contact.shape
     variance = diagonals(library(curvature).linalg.inv(curvature))
     sigma = np.sqrt(to_host(variance)).reshape(shape)
-    slope = to_host(problems.slope).reshape(shape) * sigma
+    slope = to_host(problems.slope).reshape(shape)
     low, high = held_between(bounds, priors)
-    mass = np.zeros(shape)
-    for room, out in ((problems.contact - low, slope), (high - problems.contact, -slope)):
+    mass = log_mass_between(problems.contact, low, high, sigma, slope)
+    return np.where((problems.face != NONE)[..., None], mass, 0.0).sum(axis=(1, 2))
+
+
+def log_mass_between(
+    peak: Float[np.ndarray, "*some"],
+    low: Float[np.ndarray, "..."],
+    high: Float[np.ndarray, "..."],
+    sigma: Float[np.ndarray, "*some"],
+    slope: Float[np.ndarray, "*some"],
+) -> Float[np.ndarray, "*some"]:
+    """Log of the share of normal peaks that lies between bounds; `slope` is that of the misfit there."""
+    from scipy.special import log_ndtr
+
+    mass = np.zeros(np.shape(peak))
+    for room, out in ((peak - low, slope * sigma), (high - peak, -slope * sigma)):
         beyond = np.where(room < _AT_BOUND, np.maximum(out, 0.0), 0.0)
         mass += log_ndtr(room / sigma - beyond) + 0.5 * beyond * beyond
-    return np.where((problems.face != NONE)[..., None], mass, 0.0).sum(axis=(1, 2))
+    return mass
 
 
 def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem contact 3 3"]:

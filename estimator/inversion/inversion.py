@@ -45,6 +45,8 @@ LEAST_FORCE_N = 0.2
 """Smallest force of a contact that is read: about the least that the paper's cube detects."""
 MANY_FRAMES = 100
 """Fewest frames for which a graphics card saves time."""
+_QUIET = 0.5
+"""p value that the truth exceeds in one of two frames."""
 KNOWN_FORCE_SPREAD = 0.3
 """Relative standard deviation of the forces of one probe's tips."""
 
@@ -98,7 +100,7 @@ class Inversion:
     @cached_property
     def jaws(self) -> Jaws:
         """Return the jaws that frames are read as."""
-        return Jaws(self.model, self.jaw_tables)
+        return Jaws(self.model, self.jaw_tables, self.priors.number)
 
     @cached_property
     def search(self) -> Search:
@@ -197,18 +199,18 @@ class Inversion:
     def better_jaws(
         self, observations: Observations, tips: ContactSets, log_evidence: float
     ) -> JawFit | None:
-        """Return the jaws of one frame; None where they are not far more probable than its tips."""
-        groups = self.jaws.groups(tips.face[0].tolist()) if self.jaw_tables else []
-        # every jaw takes a slot of a contact
-        fitting = [group for group in groups if len(group) <= self.priors.most]
-        fit = self.jaws.fit(observations, fitting)
-        if fit is None:
-            return None
+        """Return the jaws of one frame; None where they are not far more probable than its tips.
+
+        They are not looked for where one tip a face leaves no more than noise does: there is nothing to gain.
+        """
         faces = tips.face[0][tips.face[0] != NO_FACE]
         split = len(faces) > len(np.unique(faces))
-        if split or fit.beats(log_evidence) or not tips.explained[0]:
-            fit = self.jaws.fit_parts(observations, fit)
-        return fit if fit.beats(log_evidence) else None
+        if not self.jaw_tables or not (split or tips.p_value[0] < _QUIET):
+            return None
+        # Tips of any places and numbers: those of other numbers share the rest of the odds.
+        least = log_evidence - float(np.log(tips.odds[0]))
+        fit = self.jaws.fit(observations, self.jaws.groups(faces.tolist()), least)
+        return fit if fit is not None and fit.beats(least) else None
 
     def jaw_reading(self, fit: JawFit, tips: ContactSets) -> ContactSets:
         """Return a frame's jaws in place of its tips."""

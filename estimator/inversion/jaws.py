@@ -5,7 +5,8 @@ edge that lies on the face are unknown; an edge beyond the border is none. Jaws 
 field of the sum is exact. Edges are let go one by one, the nearest to a border first, and all these fits are
 weighed. The most probable pose is found by Levenberg and Marquardt's method; its evidence by Laplace's
 approximation has the frame's constant in common with that of tips, so that their difference is the log of
-the odds. What is uncertain of a jaw includes which of its edges lie on the face.
+the odds. Numbers of contacts have one prior whatever their kind; a jaw is as likely on every face, and each
+of its edges as likely on the face as beyond it. What is uncertain of a jaw includes which edges lie on it.
 """
 
 from __future__ import annotations
@@ -14,12 +15,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float
 from scipy.special import chdtrc
 
 from design.layout.body import face_frames
+from estimator.inversion.evidence import log_mass_between
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.problems import BLIND, Observations
 from fem.contact.jaw import JawFace
@@ -28,8 +31,8 @@ MOST_LEAN = 2.0
 """Depth gained from the middle to an edge, over the depth at the middle, at most."""
 _POSE = 7
 """Unknowns of a jaw: force (N), two leans, low and high edge along x, then along y (mm)."""
-_EDGE = 3
-"""First edge among them."""
+_EDGE, _EDGES = 3, 4
+"""First edge among them, and how many there are."""
 _STEP = 1e-4
 """Step of differences, over the width of the prior: signals bend little over it."""
 _SMALL_N = 1.0
@@ -52,6 +55,10 @@ _SURE = 3.0
 """Log of the odds that a jaw must have over tips: 20 to 1, as a wrong kind misleads more than none."""
 _HOPELESS = 10.0
 """Log of the odds against a fit from which edges that are let go no longer help."""
+_FAINT = 7.0
+"""Log of the odds against a fit from which it changes no mean: one in a thousand."""
+_JAW_COSTS = 6.0
+"""Log evidence that every jaw takes at least: its force and leans are known to a part of their ranges."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +70,7 @@ class JawFit:
     faces : of the jaws
     pose : (jaw, 7) force (N), the two leans, and the edges (mm): low and high along x, then along y
     free : (jaw, 7) what is unknown of it: an edge that is not lies beyond the border
-    log_evidence : but for the frame's constant; other groups and tips are as likely before
+    log_evidence : of all fits on these faces, but for the frame's constant
     values : (jaw, 5) centre of pressure in the face's frame (mm), force (N), and edges along x and y of the
         part of the face that it covers (mm)
     covariance : (jaw, 5, 5) of the values
@@ -96,10 +103,12 @@ class Jaws:
     ----------
     model : what motions do to the signals
     tables : of the faces that a jaw can press
+    number : probabilities of 0, 1, 2, … contacts
     """
 
     model: ContactModel
     tables: tuple[JawFace, ...]
+    number: tuple[float, ...]
 
     @cached_property
     def most_n(self) -> float:
@@ -110,13 +119,20 @@ class Jaws:
     def groups(self, pressed: Sequence[int]) -> list[tuple[int, ...]]:
         """Return faces that jaws may press where tips were read on `pressed`: each with or without the
         face opposite, which a grasp presses too."""
-        covered, groups = {table.face for table in self.tables}, set()
-        for face in covered & set(pressed):
-            groups.add((face,))
-            opposite = self._opposite.get(face)
-            if opposite in covered:
-                groups.add(tuple(sorted((face, opposite))))
-        return sorted(groups)
+        faces = set(pressed)
+        # every jaw takes a slot of a contact
+        return [g for g in self._all_groups if faces & set(g) and len(g) < len(self.number)]
+
+    @cached_property
+    def _all_groups(self) -> list[tuple[int, ...]]:
+        covered = sorted(table.face for table in self.tables)
+        pairs = {tuple(sorted((a, self._opposite[a]))) for a in covered if a in self._opposite}
+        return [(face,) for face in covered] + sorted(p for p in pairs if set(p) <= set(covered))
+
+    def log_density(self, group: tuple[int, ...]) -> float:
+        """Log of how likely jaws on these faces are, each edge on the face or beyond it as given."""
+        alike = sum(len(other) == len(group) for other in self._all_groups)
+        return float(np.log(self.number[len(group)] / alike)) - _EDGES * len(group) * np.log(2)
 
     @cached_property
     def _opposite(self) -> dict[int, int]:
@@ -125,35 +141,54 @@ class Jaws:
         # −1 is the cosine between normals of opposite faces
         return {a: b for a, b in pairs if normals[a] @ normals[b] < -1 + 1e-6}
 
-    def fit(self, observations: Observations, groups: Sequence[tuple[int, ...]]) -> JawFit | None:
-        """Return the most probable jaws of one frame over the whole of some group of faces."""
-        problems = [_Problem(self, observations, group, self._whole(group)) for group in groups]
-        fits = [problem.fitted(problem.start(), _ROUNDS) for problem in problems]
-        return max(fits, key=lambda fit: fit.log_evidence, default=None)
+    def fit(
+        self, observations: Observations, groups: Sequence[tuple[int, ...]], least: float
+    ) -> JawFit | None:
+        """Return the most probable jaws of one frame on some group of faces: the mean of fits with all edges
+        unknown, and with ever fewer, down to jaws over whole faces. None where what they leave
+        unexplained allows no evidence of `least`.
 
-    def refit(self, observations: Observations, last: JawFit) -> JawFit:
-        """Return the jaws of the frame before, as they are in this one."""
-        problem = _Problem(self, observations, last.faces, last.free.ravel())
-        fit = problem.fitted(last.pose.ravel(), _ROUNDS_FROM_LAST)
-        return _with_others(fit, fit.covariance, last.off, last.among)
-
-    def fit_parts(self, observations: Observations, over_whole: JawFit) -> JawFit:
-        """Return jaws that may cover parts of the faces: the mean of fits with all edges unknown, and with
-        ever fewer, down to those over whole faces."""
-        group, fits = over_whole.faces, [over_whole]
+        The group is the best where signals are taken for linear.
+        """
+        starts = {group: self._problem(observations, group).start() for group in groups}
+        likely = {group: -misfit - _JAW_COSTS * len(group) for group, (_, misfit) in starts.items()}
+        group = max(likely, key=likely.__getitem__, default=())
+        if not group:
+            return None
         whole, borders = self._whole(group), self._whole_pose(group)
-        free, rounds = np.ones_like(whole), _ROUNDS
-        pose = _Problem(self, observations, group, free).start_of_parts()
-        while not np.array_equal(free, whole):
-            fits.append(_Problem(self, observations, group, free).fitted(pose, rounds))
-            best = max(fit.log_evidence for fit in fits)
-            if fits[-1].log_evidence < best - _HOPELESS:
+        pose, free, rounds = starts[group][0], np.ones_like(whole), _ROUNDS
+        peaks: list[_Peak] = []
+        while True:
+            peaks.append(self._problem(observations, group, free).peak(pose, rounds))
+            # edges that are let go explain no more than all of them
+            if -peaks[0].misfit - _JAW_COSTS * len(group) < least:
+                return None
+            best = max(peak.log_evidence for peak in peaks)
+            if np.array_equal(free, whole) or peaks[-1].log_evidence < best - _HOPELESS:
                 break
-            pose, free, rounds = fits[-1].pose.ravel().copy(), free.copy(), _ROUNDS_FROM_LAST
+            pose, free, rounds = peaks[-1].pose.copy(), free.copy(), _ROUNDS_FROM_LAST
             inside = np.where(free & ~whole, abs(pose - borders), np.inf)
             nearest = int(inside.argmin())
             free[nearest], pose[nearest] = False, borders[nearest]
-        return _mean(fits)
+        total = float(np.logaddexp.reduce([peak.log_evidence for peak in peaks]))
+        likely_peaks = [peak for peak in peaks if peak.log_evidence > best - _FAINT]
+        fits = [self._problem(observations, group, peak.free).fit(peak) for peak in likely_peaks]
+        return replace(_mean(fits), log_evidence=total)
+
+    def refit(self, observations: Observations, last: JawFit) -> JawFit:
+        """Return the jaws of the frame before, as they are in this one."""
+        problem = self._problem(observations, last.faces, last.free.ravel())
+        fit = problem.fit(problem.peak(last.pose.ravel(), _ROUNDS_FROM_LAST))
+        return _with_others(fit, fit.covariance, last.off, last.among)
+
+    def _problem(
+        self,
+        observations: Observations,
+        group: tuple[int, ...],
+        free: Bool[np.ndarray, "k"] | None = None,
+    ) -> _Problem:
+        every = np.ones(_POSE * len(group), bool)
+        return _Problem(self, observations, group, every if free is None else free)
 
     @staticmethod
     def _whole(group: tuple[int, ...]) -> Bool[np.ndarray, "k"]:
@@ -234,6 +269,17 @@ def _with_others(
     return replace(fit, values=values, covariance=covariance + among, off=off, among=among)
 
 
+class _Peak(NamedTuple):
+    """The most probable jaws with given unknowns: pose, what is free of it, log evidence, half χ² there and
+    (k, k) covariance of the unknowns."""
+
+    pose: Float[np.ndarray, "k"]
+    free: Bool[np.ndarray, "k"]
+    log_evidence: float
+    misfit: float
+    covariance: Float[np.ndarray, "k k"]
+
+
 @dataclass(frozen=True)
 class _Problem:
     """Jaws on given faces in one frame, of which `free` unknowns are looked for."""
@@ -259,33 +305,66 @@ class _Problem:
         low, high = self.bounds
         return high - low
 
-    def fitted(self, start: Float[np.ndarray, "k"], rounds: int) -> JawFit:
+    def peak(self, start: Float[np.ndarray, "k"], rounds: int) -> _Peak:
         """Return the most probable jaws near a start."""
-        pose, misfit, curvature = self._descend(start, rounds)
-        count, volume = int(self.free.sum()), np.linalg.slogdet(curvature)[1]
+        pose, residual, slopes = self._descend(start, rounds)
+        curvature, misfit = slopes @ slopes.T + self._prior, 0.5 * float(residual @ residual)
+        inverse, free = np.linalg.inv(curvature), self.free
+        count, volume = int(free.sum()), np.linalg.slogdet(curvature)[1]
         # Laplace: (2π)^{k/2} e^{−misfit} / √det H over the volume of the even priors
         evidence = 0.5 * (count * np.log(2 * np.pi) - volume) - misfit
-        evidence -= np.log(self.width[self.free]).sum()
-        freedoms = max(int((self.observations.sigma < BLIND).sum()) - count, 1)
+        evidence -= self._log_volume
+        low, high = (end[free] for end in self.bounds)
+        sigma, slope = np.sqrt(inverse.diagonal()), slopes @ residual
+        evidence += log_mass_between(pose[free], low, high, sigma, slope).sum()
         covariance = np.zeros((len(pose), len(pose)))
-        covariance[np.ix_(self.free, self.free)] = np.linalg.inv(curvature)
+        covariance[np.ix_(free, free)] = inverse
+        evidence += self.jaws.log_density(self.group)
+        return _Peak(pose, free, float(evidence), misfit, covariance)
+
+    def fit(self, peak: _Peak) -> JawFit:
+        """Return what is read of the most probable jaws."""
+        pose, covariance = peak.pose, peak.covariance
+        readings = int((self.observations.sigma < BLIND).sum())
+        freedoms = max(readings - int(peak.free.sum()), 1)
         values, spreads = [], []
         for jaw, table in enumerate(self.jaws.tables_of(self.group)):
             part = slice(_POSE * jaw, _POSE * (jaw + 1))
             value = _described(table, pose[part])
             # differences inwards, as unknowns end at their bounds
             step = self._inward(pose, 1e-3)[part]
-            ends = [_described(table, pose[part] + way) for way in np.diag(step)]
-            by_pose = (np.array(ends) - value)[:, :5].T / step
+            ends = np.tile(value, (_POSE, 1))
+            for unknown in np.flatnonzero(peak.free[part]):
+                moved = pose[part].copy()
+                moved[unknown] += step[unknown]
+                ends[unknown] = _described(table, moved)
+            by_pose = (ends - value)[:, :5].T / step
             values.append(value)
             spreads.append(by_pose @ covariance[part, part] @ by_pose.T)
         described = np.array(values)
         return JawFit(
-            self.group, pose.reshape(-1, _POSE), self.free.reshape(-1, _POSE), float(evidence),
+            self.group, pose.reshape(-1, _POSE), peak.free.reshape(-1, _POSE), peak.log_evidence,
             described[:, :5], np.array(spreads), np.zeros((len(values), 5)),
             np.zeros((len(values), 5, 5)), described[:, 5:],
-            float(chdtrc(freedoms, 2 * misfit)),
+            float(chdtrc(freedoms, 2 * peak.misfit)),
         )  # fmt: skip
+
+    @cached_property
+    def _log_volume(self) -> float:
+        """Log of the volume of the even priors; two edges of one side keep their order and distance."""
+        volume = np.log(self.width[self.free]).sum()
+        for jaw in range(len(self.group)):
+            for low in (_EDGE, _EDGE + 2):
+                side = slice(_POSE * jaw + low, _POSE * jaw + low + 2)
+                between = int(self.free[side].sum())
+                width = self.width[side.start]
+                volume += between * np.log1p(-_LEAST_EDGE_MM / width) - (between == 2) * np.log(2)
+        return float(volume)
+
+    @cached_property
+    def _prior(self) -> Float[np.ndarray, "free free"]:
+        """Even priors; their normal stand-in keeps the curvature regular, as with tips."""
+        return np.diag(12 / self.width[self.free] ** 2)
 
     def _inward(self, pose: Float[np.ndarray, "k"], share: float) -> Float[np.ndarray, "k"]:
         """Steps of a share of the priors' width, away from the upper bounds."""
@@ -320,15 +399,6 @@ class _Problem:
         ends = self.jaws.change(self.group, np.vstack([pose, pose + np.diag(step)[self.free]]))
         return self._white(ends[1:] - ends[:1]) / step[self.free, None]
 
-    def start(self) -> Float[np.ndarray, "k"]:
-        """Return jaws over whole faces, of the level forces that fit best as if signals were linear."""
-        counts = self._white(self.observations.counts)[0]
-        slopes = [self._white(self.jaws.parts(face)[1][self._whole_part])[0] for face in self.group]
-        force, *_ = np.linalg.lstsq(np.transpose(slopes), counts, rcond=None)
-        start = self.jaws._whole_pose(self.group)
-        start[::_POSE] = np.clip(force, _SMALL_N, self.jaws.most_n)
-        return start
-
     @property
     def _whole_part(self) -> int:
         """Row of the whole face among its parts: of the first and last line along both sides."""
@@ -336,12 +406,12 @@ class _Problem:
         whole = pairs.index((0, _LINES - 1))
         return whole * len(pairs) + whole
 
-    def start_of_parts(self) -> Float[np.ndarray, "k"]:
-        """Return the parts that fit best, each face's in turn, as if signals were linear."""
+    def start(self) -> tuple[Float[np.ndarray, "k"], float]:
+        """Return the parts that fit best, each face's in turn, as if signals were linear; and half of χ²."""
         counts = self._white(self.observations.counts)[0]
         rows = {face: self._white_parts(face) for face in self.group}
         chosen = dict.fromkeys(self.group, self._whole_part)
-        start = self.start()
+        start, best = self.jaws._whole_pose(self.group), 0.0
         for jaw, face in [*enumerate(self.group)] * len(self.group):
             others = [rows[number][chosen[number]] for number in self.group if number != face]
             beside = np.concatenate([np.zeros((0, len(counts))), *others])
@@ -355,13 +425,13 @@ class _Problem:
             share = np.linalg.solve(square, projected[..., None])[..., 0]
             # the fall of the misfit; jaws only push
             fall = np.where(share[:, :3].sum(axis=1) > 0, (share * projected).sum(axis=1), -np.inf)
-            chosen[face] = int(fall.argmax())
+            chosen[face], best = int(fall.argmax()), float(fall.max())
             level, *leans = share[chosen[face], :3]
             force = float(np.clip(level + sum(leans), _SMALL_N, self.jaws.most_n))
             part = slice(_POSE * jaw, _POSE * (jaw + 1))
             lean = np.clip(_SMALL_LEAN * np.array(leans) / force, -1, 1)
             start[part] = np.r_[force, lean, self.jaws.parts(face)[0][chosen[face]]]
-        return start
+        return start, 0.5 * (float(counts @ counts) - best)
 
     def _white_parts(self, face: int) -> Float[np.ndarray, "part 3 channel"]:
         counts = self.jaws.parts(face)[1]
@@ -369,16 +439,16 @@ class _Problem:
 
     def _descend(
         self, pose: Float[np.ndarray, "k"], rounds: int
-    ) -> tuple[Float[np.ndarray, "k"], float, Float[np.ndarray, "free free"]]:
-        """Return the pose of least misfit near a start, its half χ², and the curvature there."""
+    ) -> tuple[
+        Float[np.ndarray, "k"], Float[np.ndarray, "channel"], Float[np.ndarray, "free channel"]
+    ]:
+        """Return the pose of least misfit near a start, its whitened residual, and the slopes there."""
         pose, free = self._clipped(pose), self.free
         residual = self._residual(pose)
         misfit, damping = 0.5 * float(residual @ residual), 1e-3
-        # even priors; their normal stand-in keeps the curvature regular, as with tips
-        prior = np.diag(12 / self.width[free] ** 2)
         slopes = self._slopes(pose)
         for _ in range(rounds):
-            curvature = slopes @ slopes.T + prior
+            curvature = slopes @ slopes.T + self._prior
             # Marquardt's scaling: damping in the parameters' own units
             damped = curvature + damping * np.diag(np.diag(curvature))
             step = np.zeros_like(pose)
@@ -395,7 +465,7 @@ class _Problem:
             damping, slopes = damping / 10, self._slopes(pose)
             if fell < _SETTLED:
                 break
-        return pose, misfit, slopes @ slopes.T + prior
+        return pose, residual, slopes
 
 
 def _described(table: JawFace, pose: Float[np.ndarray, "7"]) -> Float[np.ndarray, "7"]:

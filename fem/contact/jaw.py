@@ -7,19 +7,20 @@ contact problem, on the compliance of the face's cells, holds all depths.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import NamedTuple
+from functools import cached_property, lru_cache
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
-from fem.contact.complementarity import Contact, contact, solve_positive
+from fem.contact.complementarity import MAX_SWITCHES, contact, solve_positive
 from fem.contact.half_space import Patches
 
 CELLS = 20
 """Cells along each side of a face: edges of 2.1 mm on the paper's cube change force by 0.4 %."""
 _LEAST_SHARE = 1e-3
 """Share of a cell that a jaw must cover for the cell to bear."""
+_ROUNDING = 1e-10
+"""Share of the largest gap that is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,31 +56,67 @@ class JawFace:
         """
         edges = self.whole_mm if edges_mm is None else edges_mm
         part = _part(self, *edges.ravel().tolist())
-        depth = np.array([1.0, *lean])
-        pressure = part.pressure @ depth
-        if (pressure < 0).any():  # the jaw leaves a part of what it covers
-            still = -part.moments @ [0.0, *lean]
-            near, area = Contact(part.latest[None], part.latest[None]), part.moments[:, 0]
-            pressure = contact(part.compliance, still, area, np.ones(1), near).pressure_mpa[0]
-            part.latest[:] = pressure
+        pressure = self._pressure(part, np.array([1.0, *lean]))
         bears = pressure * part.moments[:, 0]
         force = float(bears.sum())
         motion = np.tensordot(bears, self.motion[part.cells], 1)
         return force, bears @ part.centre_mm / force, motion
 
+    def _pressure(self, part: _Part, depth: Float[np.ndarray, "3"]) -> Float[np.ndarray, "cell"]:
+        """Pressures on the cells of a part; the cells that bear are sought from those of the press before."""
+        gap = -part.moments @ depth
+        rounding = _ROUNDING * abs(gap).max()
+        bears = self._bears[part.cells]
+        for _ in range(MAX_SWITCHES):
+            pressure = part.pressures(bears) @ depth
+            switched = np.where(bears, pressure > 0, part.compliance @ pressure + gap < -rounding)
+            if (switched == bears).all():
+                break
+            bears = switched
+        else:  # a set that cycles
+            pressure = contact(part.compliance, gap, part.moments[:, 0], np.zeros(1)).pressure_mpa[
+                0
+            ]
+        self._bears[part.cells] = pressure > 0
+        return pressure
 
-class _Part(NamedTuple):
-    """A part of a face under a jaw: its cells with their centres and compliance, and (cell, 3) of a unit of
-    depth at the middle and of depths gained towards +x and +y: its moments ∫ depth dA over the cells, and the
-    pressures where all cells stay in contact. `latest` are those of the press before, where the next begins.
+    @cached_property
+    def _bears(self) -> Bool[np.ndarray, "cell"]:
+        """Cells that bore in the press before, all of them at first: where the next begins."""
+        return np.ones(len(self.compliance), bool)
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """A part of a face under a jaw.
+
+    Attributes
+    ----------
+    cells, centre_mm, compliance : of its cells
+    moments : (cell, 3) ∫ depth dA over the cells, of a unit of depth at the middle and of depths gained
+        towards +x and +y
     """
 
     cells: Int[np.ndarray, "cell"]
     centre_mm: Float[np.ndarray, "cell 2"]
     compliance: Float[np.ndarray, "cell cell"]
     moments: Float[np.ndarray, "cell 3"]
-    pressure: Float[np.ndarray, "cell 3"]
-    latest: Float[np.ndarray, "cell"]
+
+    def pressures(self, bears: Bool[np.ndarray, "cell"]) -> Float[np.ndarray, "cell 3"]:
+        """Pressures of each of the three depths where some cells bear: kept, as leans ask for them again."""
+        key = bears.tobytes()
+        if key not in self._solved:
+            pressures = np.zeros(self.moments.shape)
+            (index,) = np.nonzero(bears)
+            if len(index):
+                block = self.compliance.take(index, axis=0).take(index, axis=1)
+                pressures[index] = solve_positive(block, self.moments[index])
+            self._solved[key] = pressures
+        return self._solved[key]
+
+    @cached_property
+    def _solved(self) -> dict[bytes, Float[np.ndarray, "cell 3"]]:
+        return {}
 
 
 @lru_cache(maxsize=16)
@@ -99,8 +136,7 @@ def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float
     np.fill_diagonal(compliance, diagonal)
     away = (centre - edges.mean(axis=1)) / (np.diff(edges)[:, 0] / 2)
     moments = np.column_stack([area, away * area[:, None]])
-    pressure = solve_positive(compliance.copy(), moments)
-    return _Part(used, centre, compliance, moments, pressure, pressure[:, 0].copy())
+    return _Part(used, centre, compliance, moments)
 
 
 def face_cells(half_mm: Float[np.ndarray, "2"], count: int) -> Patches:
