@@ -51,7 +51,7 @@ def log_mass_between(
     sigma: Float[np.ndarray, "*some"],
     slope: Float[np.ndarray, "*some"],
 ) -> Float[np.ndarray, "*some"]:
-    """Log of the share of normal peaks that lies between bounds; `slope` is that of the misfit there."""
+    """Log of the share of normal peaks that lies between bounds, with the misfit's `slope` there."""
     from scipy.special import log_ndtr
 
     mass = np.zeros(np.shape(peak))

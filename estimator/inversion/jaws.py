@@ -131,7 +131,7 @@ class Jaws:
 
     def log_density(self, group: tuple[int, ...]) -> float:
         """Log of how likely jaws on these faces are, each edge on the face or beyond it as given."""
-        alike = sum(len(other) == len(group) for other in self._all_groups)
+        alike = sum(len(faces) == len(group) for faces in self._all_groups)
         return float(np.log(self.number[len(group)] / alike)) - _EDGES * len(group) * np.log(2)
 
     @cached_property
@@ -187,8 +187,8 @@ class Jaws:
         group: tuple[int, ...],
         free: Bool[np.ndarray, "k"] | None = None,
     ) -> _Problem:
-        every = np.ones(_POSE * len(group), bool)
-        return _Problem(self, observations, group, every if free is None else free)
+        unknowns = np.ones(_POSE * len(group), bool) if free is None else free
+        return _Problem(self, observations, group, unknowns)
 
     @staticmethod
     def _whole(group: tuple[int, ...]) -> Bool[np.ndarray, "k"]:
