@@ -199,8 +199,8 @@ def convert_to_triangles(
     (rad); what consists of triangles is returned."""
     if not isinstance(shape, cq.Shape):
         return shape
-    known, judged = _triangles.get(shape, (None, None))
-    if judged is not None and known == fineness and not relative:
+    of_fineness, judged = _triangles.get(shape, (None, None))
+    if judged is not None and of_fineness == fineness and not relative:
         return judged.copy()
     if not relative:
         BRepMesh_IncrementalMesh(shape.wrapped, fineness[0], False, fineness[1], True)
