@@ -35,7 +35,7 @@ _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
 _triangles: WeakKeyDictionary[cq.Shape, tuple[tuple[float, float], trimesh.Trimesh]] = (
     WeakKeyDictionary()
 )
-"""Of solids whose triangles were judged: their fineness, mm and rad, and the triangles."""
+"""Fineness (mm and rad) and triangles of solids that `exact_or_triangles` looked at."""
 _FOLD_DEG, _FILM_MM = 175.0, 1e-3
 """Turn between neighbouring triangles beyond which they are a fold, and height below which a triangle
 is a film, whose normal says nothing."""
