@@ -260,7 +260,8 @@ def collisions(mounted: Sequence[Mounted]) -> list[Finding]:
 def largest_common(check: str, part: str, pairs: list[tuple[Named, Named]], text: str) -> Finding:
     """The finding of the two parts, of some pairs, that share most volume; `text` says what to do."""
     worst, names, place = 0.0, "", None
-    solids = {id(mesh): manifold_of(mesh) for pair in pairs for _, mesh in pair}
+    meshes = {id(mesh): mesh for pair in pairs for _, mesh in pair}
+    solids = {key: manifold_of(mesh) for key, mesh in meshes.items()}
     for (a, mesh_a), (b, mesh_b) in pairs:
         if (mesh_a.bounds[0] > mesh_b.bounds[1]).any() or (
             mesh_b.bounds[0] > mesh_a.bounds[1]
