@@ -510,7 +510,7 @@ def test_pressed_frames_that_nothing_explains_are_judged_apart(folder, tmp_path)
     force_n[rows] *= 40.0
     save_frames(replace(true, signal_counts=far, force_n=force_n), tmp_path / "far.nc")
     texts = predict_file(folder / "robot" / "face_3.onnx", tmp_path / "far.nc", tmp_path)["texts"]
-    (text,) = [text for text in texts if "by its labels" in text]
+    (text,) = [text for text in texts if "labelled force" in text]
     percents = re.search(
         r"Of (\d+) pressed frames that .*explains, (\d+)% have .*Of \d+ other .*, (\d+)% have", text
     )
