@@ -165,10 +165,10 @@ def _more_tips_text(model_path: Path, face: int, frames: FrameSet) -> str:
     tips = _most_tips(frames, face)
     if tips < 2 or not training.is_file():
         return ""
-    known = _most_tips(load_frames(training), face)
-    if tips <= known:
+    trained_tips = _most_tips(load_frames(training), face)
+    if tips <= trained_tips:
         return ""
-    trained = f"up to {known}" if known > 1 else "one"
+    trained = f"up to {trained_tips}" if trained_tips > 1 else "one"
     return (
         f"The cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network was "
         f"trained on {trained}. It reads one contact a face. Its place error is the distance from the "
