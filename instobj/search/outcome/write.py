@@ -88,12 +88,12 @@ def write_specification(
         content["indenter"]["file"] = str((beside / content["indenter"]["file"]).absolute())
     coarse = [
         name
-        for name in ("edge_mm", "surface_edge_mm")
+        for name in ("edge_mm", "surface_edge_mm", "rim_edge_ratio")
         if content["mesh"][name] > getattr(MeshSpec(), name)
     ]
     if coarse:
-        lines = f"the lines {' and '.join(coarse)}" if len(coarse) > 1 else f"the line {coarse[0]}"
-        comment += f"# Coarse mesh of this search: for the final run delete {lines} below [mesh]\n"
+        keys = ", ".join(coarse)
+        comment += f"# Coarse mesh of this search: for the final run delete {keys} below [mesh]\n"
     with atomic_path(path) as temporary:
         temporary.write_bytes(f"{comment}{toml_text(content)}".encode())
 
