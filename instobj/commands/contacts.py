@@ -21,11 +21,13 @@ from estimator.inversion.readings import ContactSets
 from estimator.inversion.slip import median_slip_mm
 from estimator.inversion.storage import load_inversion
 from estimator.signals.nuisances import AMBIENT_FIELD
+from instobj.commands.next_step import next_step
 from instobj.commands.readings import (
     LiveFrame,
     Stream,
     Zeroing,
     is_data_set,
+    is_unexplained,
     live_frames,
     prediction_path,
     recorded_frames,
@@ -104,7 +106,11 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
         "condition of the object": str(condition),
     }
-    texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
+    unexplained = int((~best.explained).sum())
+    texts = [*texts, *unexplained_text(path, unexplained, len(best))]
+    go_on = next_step("predict contacts", model_path, path, out=target.parents[2])
+    if is_unexplained(unexplained, len(best)):
+        go_on = next_step("predict contacts unexplained")
     if best.jaws.any():
         texts.append(
             f"{int(best.jaws.sum())} frames are read as flat jaws. Size and force of a jaw that covers a "
@@ -114,7 +120,13 @@ def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) 
     files = [target] if mcap is None else [target, mcap]
     if judged:
         tables["against the labels, means over frames"] = judged
-    return {"command": "predict", "texts": texts, "tables": tables, "files": file_rows(files)}
+    return {
+        "command": "predict",
+        "texts": texts,
+        "tables": tables,
+        "files": file_rows(files),
+        "next": go_on,
+    }
 
 
 def contacts_on_port(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain, islice
@@ -27,6 +28,7 @@ from instobj.commands.readings import (
     Zeroing,
     is_data_set,
     is_trained_on,
+    is_unexplained,
     live_frames,
     prediction_path,
     recorded_frames,
@@ -43,7 +45,7 @@ from instobj.store.publish import (
     require_writable_folder,
     run_folder,
 )
-from instobj.store.readers import FRAMES, INVERSION, face_model_paths
+from instobj.store.readers import INVERSION, face_model_paths
 
 COLUMNS: tuple[str, ...] = (
     "frame",
@@ -120,7 +122,8 @@ def predict_file(
         "force interval should hold": model.interval_cover,
         **_measured_cover(labels, model.face),
     }
-    texts = [*texts, *unexplained_text(path, novel, len(rows))]
+    cause = "" if labelled is None else _more_tips_text(model_path, model.face, labelled)
+    texts = [*texts, *unexplained_text(path, novel, len(rows), cause)]
     tables: dict[str, list[dict[str, Any]]] = {f"{path.name}, {model_path.name}": [summary]}
     if labelled is not None and labels is not None and labels.rows:
         trained_on = is_trained_on(
@@ -134,6 +137,7 @@ def predict_file(
             )
         else:
             judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
+            texts += _simpler_text(judged)
         texts += _novel_text(path, labels)
         rival = " beside a simple regression" if len(judged) > 1 else ""
         tables[f"against the labels of {path.name}{rival}, frames pressed on face {model.face}"] = (
@@ -144,7 +148,40 @@ def predict_file(
         "texts": texts,
         "tables": tables,
         "files": file_rows([target]),
+        "next": next_step(
+            "predict several tips"
+            if cause
+            else "predict unexplained"
+            if is_unexplained(novel, len(rows))
+            else "predict"
+        ),
     }
+
+
+def _more_tips_text(model_path: Path, face: int, frames: FrameSet) -> str:
+    """Say that more tips press a face together than in the data set of the model; nothing where not, or
+    without that data set."""
+    training = training_data_set(model_path)
+    tips = _most_tips(frames, face)
+    if tips < 2 or not training.is_file():
+        return ""
+    trained_tips = _most_tips(load_frames(training), face)
+    if tips <= trained_tips:
+        return ""
+    trained = f"up to {trained_tips}" if trained_tips > 1 else "one"
+    return (
+        f"The cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network was "
+        f"trained on {trained}. It reads one contact a face. Its place error is the distance from the "
+        "labelled centre of force of the tips"
+    )
+
+
+_TIPS = {2: "two", 3: "three"}
+
+
+def _most_tips(frames: FrameSet, face: int) -> int:
+    """Return the most contacts that one frame has on a face."""
+    return int((frames.contact_face == face).sum(axis=1).max(initial=0))
 
 
 @dataclass(frozen=True)
@@ -207,17 +244,32 @@ def _measured_cover(labels: _PressedLabels | None, face: int) -> dict[str, Any]:
 
 def _novel_text(path: Path, labels: _PressedLabels) -> list[str]:
     """Say how far intervals held in pressed frames that nothing explains; nothing without such frames."""
-    parts = list[str]()
-    for novel, what in ((True, "pressed frames that nothing explains"), (False, "others")):
+    sentences = list[str]()
+    for novel, what in (
+        (True, "pressed frames that nothing explains"),
+        (False, "other pressed frames"),
+    ):
         held = labels.held(novel)
         if novel and not len(held):
             return []
         if len(held):
             width_n = np.median(labels.widths_n(novel)) / 2
-            parts.append(f"{held.mean():.0%} of the {len(held)} {what} (± {width_n:.2g} N)")
+            sentences.append(
+                f"Of {len(held)} {what}, {held.mean():.0%} have the labelled force in their interval (median "
+                f"± {width_n:.2g} N)."
+            )
+    return [f"{path.name}: {' '.join(sentences)} A wide interval holds easily and says little."]
+
+
+def _simpler_text(judged: list[dict[str, Any]]) -> list[str]:
+    """Say that the simple regression reads force better than the network, where it does."""
+    title = "force error, median N"
+    network_n, *others_n = (row[title] for row in judged)
+    if not others_n or network_n <= others_n[0]:
+        return []
     return [
-        f"{path.name}: by its labels the force interval held in {' and in '.join(parts)}, widths as medians. "
-        "An interval may hold because it is wide: believe no closer force than it says"
+        f"A simple regression ({judged[1]['read by']}) reads force better than {judged[0]['read by']} here: "
+        f"the median error is {others_n[0]:.3g} instead of {network_n:.3g} N"
     ]
 
 
@@ -354,12 +406,13 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
         _export(path, target)
     document: dict[str, Any] = {"command": "export", "files": file_rows([*targets.values()])}
     first, exported = next(iter(targets.items()))
-    # the data set on which an estimator was trained lies in its folder
-    if (frames := first.parent / FRAMES.name).is_file():
-        folder = first.parent
-        runs_out = folder.parent.parent  # predictions go to the same folder
-        kept = runs_out if run_folder(runs_out, folder.name) == folder else None
-        document["next"] = next_step("export", exported, frames, out=kept)
+    if not _inverts(first):
+        runs_out = first.parent.parent.parent  # predictions go to the same folder
+        is_run = run_folder(runs_out, first.parent.name) == first.parent
+        kept = ["--out", str(runs_out)] if is_run and runs_out != Path() else []
+        words = ["instobj", "predict", str(exported), "RECORDING", *kept]
+        document["texts"] = [f"judge it on another recording of this object: {shlex.join(words)}"]
+        document["next"] = next_step("export")
     return document
 
 

@@ -256,22 +256,35 @@ def live_frames(
             yield LiveFrame(number, reading.time_s, reading_found, state)
 
 
-def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
-    """Return a warning where much of a file is nothing that its estimator knows, or hardly a file."""
+def is_unexplained(unexplained: int, frames: int) -> bool:
+    """Return whether so much of a file is nothing that its estimator knows that readings are not to be
+    believed."""
+    return unexplained > DISTRUST_FROM * frames
+
+
+def unexplained_text(path: Path, unexplained: int, frames: int, cause: str = "") -> list[str]:
+    """Return a warning where much of a file is nothing that its estimator knows, or hardly a file.
+
+    A `cause` that the file itself shows stands in place of the likely ones.
+    """
     texts = []
     if frames < SHORT_FRAMES:
         texts.append(
             f"{path.name}: {frames} frames were read, too few to judge by; record some seconds of rest and "
             "a press"
         )
-    if frames and unexplained > DISTRUST_FROM * frames:
+    if is_unexplained(unexplained, frames):
+        why = cause or (
+            "Likely causes: contacts of a kind that it was not made for, or at places that networks were not "
+            "trained on; the estimator is of another object or its specification is not as built (instobj "
+            "validate); a magnet or iron near by; no rest at the start (--zero)"
+        )
         texts.append(
             f"{path.name}: nothing that the estimator knows explains {unexplained} of {frames} frames "
-            f"({100 * unexplained / frames:.0f} %); do not believe these. Likely causes: contacts of a kind "
-            "that it was not made for, or at places that networks were not trained on; the estimator is of "
-            "another object or its specification is not as built (instobj validate); a magnet or iron near "
-            "by; no rest at the start (--zero)"
+            f"({100 * unexplained / frames:.0f} %); do not believe these. {why}"
         )
+    elif cause:
+        texts.append(f"{path.name}: {cause}")
     return texts
 
 

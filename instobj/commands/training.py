@@ -195,8 +195,8 @@ def data_parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
     rows = []
     for use, part in (
         ("training", split.train),
-        ("stopping, intervals", split.validation),
-        ("held out", split.test),
+        ("stopping, interval widths", split.validation),
+        ("held out: judged above", split.test),
     ):
         pressed = part & frames.valid & (frames.place_id >= 0)
         rows.append(

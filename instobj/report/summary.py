@@ -89,7 +89,12 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
             "the model)",
             _baselines,
         ),
-        ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
+        (
+            "metrics",
+            "intervals on held-out presses (medians of widths, which other presses set: those of stopping, "
+            "where presses are few those of training too)",
+            _intervals,
+        ),
         (
             "metrics",
             "labels of travel, held-out presses (force: between low and high times)",
@@ -347,8 +352,8 @@ def _intervals(result: StoredResult) -> list[dict[str, Any]]:
             "place covered": row["position_cover"],
             "± N": row["median_force_halfwidth_n"],
             "radius mm": row["median_position_radius_mm"],
-            "calibrated on": row["calibration_presses"],
-            "tested on": row["tested_presses"],
+            "widths set on presses": row["calibration_presses"],
+            "checked on held-out presses": row["tested_presses"],
         }
         for row in content["intervals"]
     ]

@@ -11,7 +11,7 @@ import time
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from weakref import WeakValueDictionary
@@ -151,7 +151,10 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
         planned, seconds = plan_trial(
             planned, generation_s * len(trials), timed.left_s, first_s if starting else None
         )
-        return score_trials(planned, lowest, trials, seconds)
+        return [
+            replace(scored, start_scores=start.scores)
+            for scored in score_trials(planned, lowest, trials, seconds)
+        ]
 
     def evaluate_there(timed: TimedTrials) -> list[Scored]:
         with device_context:

@@ -32,7 +32,7 @@ from instobj.search.possible import require_possible
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import FIRST_LOOK_S, TRIALS_SHARE, TimeLimit, trial_ends
 from instobj.search.trials import KeptTrials, open_trials
-from instobj.search.verdict import Promotion, best_in_words
+from instobj.search.verdict import Promotion, best_in_words, bounds_in_words
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import Workers, open_workers
@@ -75,13 +75,18 @@ def optimize(
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")
 
-    keep_best = partial(best_so_far, space, kept, folder, path.parent)
+    keep_best = partial(best_so_far, space, kept, folder, path.parent, out)
     keep_best()
+    advised_s = limit.enough_s(lowest_s, chain_s) if lowest_s else 0.0
     with (
         _kept_on_interrupt(kept, progress),
-        limit.enforced(keep_best, limit.enough_s(lowest_s, chain_s) if lowest_s else 0.0),
+        limit.enforced(keep_best, lambda: advised_s),
         open_workers(workers, scheduler, progress) as others,
     ):
+        mechanics_s = _make_mechanics(space.spec, progress)
+        if too_short := limit.measured_plan(mechanics_s):
+            progress.say(too_short)
+            advised_s = limit.measured_s(mechanics_s)
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others, keep_best)
         with progress.stage("promotion"):
             levels = Levels(folder / "rungs.json", say, others)
@@ -167,18 +172,23 @@ def _describe_nothing(kept: KeptTrials) -> str:
     )
 
 
-def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
-    """Write the best trial so far, which only the lowest level knows, or the start; where, and what else is
-    kept, in words.
+def best_so_far(
+    space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path, out: Path | None = None
+) -> str:
+    """Write the best trial so far, which only the lowest level knows, or the start.
 
-    What an earlier call took to higher levels stays.
+    Return where, what it gains there, the command that judges it (with `out`), and what else is kept, in
+    words. What an earlier call took to higher levels stays.
     """
     layout, about = space.spec, "The layout that the search began with: no trial is better yet"
-    said = "the layout that the search began with"
+    said, judge = "the layout that the search began with", ""
     for best in leaders(space, kept, 1):
         layout = with_layout(space.spec, best.params)
-        about = f"Trial {best.number}, by the lowest fidelity level alone: not confirmed"
         said = "by the lowest fidelity level alone"
+        if gains := bounds_in_words(best.start_scores, best.scores):
+            said += f" ({gains})"
+        about = f"The best so far, {said}; not confirmed"
+        judge = f" Judge it: {next_step('optimize cut', folder / BEST, out=out)}."
     if not (folder / RESULTS).is_file():
         write_best(layout, about, space.spec.name, folder, beside)
     ended = len(kept.trials)
@@ -187,7 +197,7 @@ def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path
         if ended
         else "No trial has ended; the mechanics made so far are kept"
     )
-    return f" The best so far, {said}, is {folder / BEST}. {what}."
+    return f" The best so far, {said}, is {folder / BEST}.{judge} {what}."
 
 
 def _mechanics_seconds(spec: ObjectSpec) -> tuple[float, float]:
@@ -198,6 +208,12 @@ def _mechanics_seconds(spec: ObjectSpec) -> tuple[float, float]:
         for variant in searched_size_variants(spec)
     )
     return missing * estimate.lowest, estimate.chain
+
+
+def _make_mechanics(spec: ObjectSpec, progress: ProgressLine) -> float:
+    """Make mechanics of the lowest fidelity level; return what those of one size took, s, at most."""
+    runs = (Run(variant, progress, checked=False) for variant in searched_size_variants(spec))
+    return max(run.require("candidates").seconds for run in runs)
 
 
 @contextmanager
@@ -242,8 +258,6 @@ def _search(
         return
     if space.spec.search.trials < requested.trials:
         progress.say(describe_merge(requested, space.spec.search, len(kept.trials)))
-    for variant in searched_size_variants(space.spec):
-        Run(variant, progress, checked=False).require("candidates")
     first = start_params(space)
 
     def waiting(trials: int) -> None:

@@ -19,6 +19,10 @@ _PAGE_SHARE = 0.06
 """Share of the whole time, for the page and its pictures."""
 _CHAINS = 2
 """The start and a finalist."""
+_LONG_STEPS = 3
+"""Steps after the trials that take about as long as mechanics of the lowest level, each with contact at every
+location: the second level of the start and of a leader, and the chain of a finalist. Measured on a box of
+60 × 45 × 40 mm: mechanics 133 s, second level 115 s, chain 140 to 180 s."""
 _QUICKER = 2.0
 """Than estimated, at most: estimates hold within half to twice."""
 FIRST_LOOK_S = 10.0
@@ -78,6 +82,29 @@ class TimeLimit:
         needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
         return 100 * ceil(needed_s / 100)
 
+    def measured_s(self, mechanics_s: float) -> float:
+        """Return the time to ask for once mechanics are stored that took `mechanics_s`: the steps after the
+        trials fit into what trials leave. Rounded up to 100 s, at least this limit's own."""
+        needed_s = _LONG_STEPS * mechanics_s / self._checking_s(1.0)
+        return max(100.0 * ceil(needed_s / 100), self.seconds)
+
+    def measured_plan(self, mechanics_s: float) -> str:
+        """Return that the time left is likely too short, by the time that mechanics took, and which will do;
+        nothing where it holds."""
+        needed_s = _LONG_STEPS * mechanics_s
+        if needed_s <= min(self.left_s, self._checking_s(self.seconds)):
+            return ""
+        return (
+            f"mechanics took {mechanics_s:.0f} s; what follows the trials takes about {_LONG_STEPS} times as "
+            f"long. search.seconds = {self.seconds:g} is likely to end before a result. What is made is "
+            "kept: stop now (Ctrl-C) or when it ends, and go on with --resume "
+            f"--set search.seconds={self.measured_s(mechanics_s):g}"
+        )
+
+    def _checking_s(self, seconds: float) -> float:
+        """Return the part of a whole time that trials and page leave."""
+        return (1 - TRIALS_SHARE) * (1 - _PAGE_SHARE) * seconds
+
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
         """Return what of the time mechanics will take, in words; `lowest_s` 0 where those are stored.
 
@@ -113,13 +140,15 @@ class TimeLimit:
 
     @contextmanager
     def enforced(
-        self, first_look: Callable[[], str] = lambda: "", enough_s: float = 0.0
+        self,
+        first_look: Callable[[], str] = lambda: "",
+        enough_s: Callable[[], float] = lambda: 0.0,
     ) -> Iterator[None]:
         """Break off what runs in here when the time is spent; `first_look` then keeps the best so far, and
         says where and what else is kept.
 
-        The error asks for `enough_s`, what was advised at the start, where that is more than was given; else
-        for twice the time.
+        The error asks for `enough_s`, what was advised by then, unless more was given; else for twice the
+        time.
 
         Work in compiled code ends first: a factorization of the default mesh takes seconds. Work that
         can be left out catches `TimeSpent`, once. On systems without interval timers (Windows) nothing
@@ -139,7 +168,8 @@ class TimeLimit:
             yield
             signal.setitimer(signal.ITIMER_REAL, 0)
         except TimeSpent:
-            again_s = enough_s if enough_s > self.seconds else 2 * self.seconds
+            advised_s = enough_s()
+            again_s = advised_s if advised_s >= self.seconds else 2 * self.seconds
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
                 f"was a result.{first_look()} Go on with --resume --set search.seconds={again_s:g}, "

@@ -30,7 +30,8 @@ class Scored:
 
     `broken_mm` is 0 where every limit is kept; `misfit` says which is broken most, or what else does not
     fit. `scorings` are the layouts that were scored for it, `generations` those planned for its run.
-    Trials of earlier versions have neither the name of a limit nor generations.
+    `start_scores` are those of the specification's own layout at the same level. Trials of earlier versions
+    have neither these nor the name of a limit nor generations.
     """
 
     params: dict[str, Any]
@@ -40,6 +41,7 @@ class Scored:
     misfit: str
     scorings: int
     generations: int = field(default=0, kw_only=True)
+    start_scores: dict[str, float] = field(default_factory=dict, kw_only=True)
 
     @property
     def feasible(self) -> bool:
@@ -107,6 +109,8 @@ class KeptTrials:
 def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrials:
     """Begin the file of this specification's search, or with `resume` read the one that is there.
 
+    A file without a trial, left by a search that was broken off, is begun again.
+
     Raises
     ------
     InputError
@@ -116,16 +120,17 @@ def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrial
     head = {"search": spec.name, "specification": search_key(spec)}
     try:
         has_search = path.is_file() and path.stat().st_size > 0
-        if has_search and not resume:
+        if has_search and not resume and read_trials(path):
             raise InputError(
                 f"{path} holds a search already. Go on with --resume, or give the specification another "
                 "name to start anew"
             )
         if resume and not has_search:
             raise InputError(f"{path} holds no search to resume. Leave --resume out to start one")
-        if has_search:
+        if has_search and resume:
             return _read(path, head)
         path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b"")
     except OSError as error:
         raise InputError(
             f"cannot keep a search in {path}: {error.strerror}. Make room, or give another --out"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -174,9 +175,8 @@ def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
     """Return a layout's bounds and the start's, the shares within the limit, and what got worse."""
     limit = layout.spec.limits.position_bound_mm
     start_score, layout_score = start.levels[level], layout.levels[level]
-    bounds = (
-        f"{words} {score_at(name, layout, level):.3g} instead of {score_at(name, start, level):.3g} mm"
-        for name, words in _TOLD.items()
+    bounds = bounds_in_words(
+        *({name: score_at(name, who, level) for name in _BOUND_WORDS} for who in (start, layout))
     )
     within = (
         100 * np.nanmean(np.array(s.position_bounds_mm) <= limit)
@@ -185,13 +185,23 @@ def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
     worse = 100 * regressed_share(start_score, layout_score)
     beyond = 100 * regressed_share(start_score, layout_score, limit)
     return (
-        f"{', '.join(bounds)}; within the limit of {limit:g} mm lie "
+        f"{bounds}; within the limit of {limit:g} mm lie "
         f"{' instead of '.join(f'{share:.0f} %' for share in within)} of locations and forces; "
         f"{worse:.0f} % got worse, {beyond:.0f} % beyond that limit"
     )
 
 
-_TOLD = {"worst_position_bound_mm": "worst location", "median_position_bound_mm": "median"}
+def bounds_in_words(start: Mapping[str, float], layout: Mapping[str, float]) -> str:
+    """Return the worst and the median position bound of a layout instead of the start's; nothing without
+    scores of the start."""
+    return ", ".join(
+        f"{words} {layout[name]:.3g} instead of {start[name]:.3g} mm"
+        for name, words in _BOUND_WORDS.items()
+        if name in start and name in layout
+    )
+
+
+_BOUND_WORDS = {"worst_position_bound_mm": "worst location", "median_position_bound_mm": "median"}
 
 
 def _mean_log(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> float:

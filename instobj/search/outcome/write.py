@@ -11,6 +11,7 @@ from typing import Any
 from design.files import atomic_path
 from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
+from design.spec.mechanics import MeshSpec
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
 from design.spec.silicone import is_test_file
@@ -73,7 +74,8 @@ def write_best(spec: ObjectSpec, about: str, name: str, folder: Path, beside: Pa
 def write_specification(
     spec: ObjectSpec, name: str, path: Path, beside: Path, comment: str = ""
 ) -> None:
-    """A layout as a specification file of its own, without the search."""
+    """A layout as a specification file of its own, without the search; a mesh coarser than the default, as
+    searches take it, is named in a comment."""
     content = spec.changed(name=name, search=SearchSpec()).model_dump(
         mode="json", exclude_none=True
     )
@@ -84,6 +86,14 @@ def write_specification(
         )
     if "file" in content["indenter"]:
         content["indenter"]["file"] = str((beside / content["indenter"]["file"]).absolute())
+    coarse = [
+        name
+        for name in ("edge_mm", "surface_edge_mm", "rim_edge_ratio")
+        if content["mesh"][name] > getattr(MeshSpec(), name)
+    ]
+    if coarse:
+        keys = ", ".join(coarse)
+        comment += f"# Coarse mesh of this search: for the final run delete {keys} below [mesh]\n"
     with atomic_path(path) as temporary:
         temporary.write_bytes(f"{comment}{toml_text(content)}".encode())
 

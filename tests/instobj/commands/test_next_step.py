@@ -30,7 +30,7 @@ def parsed(words):
 
 @pytest.mark.parametrize("done", NEXT)
 def test_every_next_step_is_taken_as_it_stands_also_with_blanks_in_paths(done):
-    count = {"docs": 0, "predict": 2, "validate": 2}.get(NEXT[done].split()[0], 1)
+    count = {"docs": 0, "predict": 2, "validate": 2, "assess": 2}.get(NEXT[done].split()[0], 1)
     program, *words = shlex.split(next_step(done, *PATHS[:count]))
     assert program == "instobj"
     name, options = parsed(words)

@@ -106,17 +106,31 @@ def test_export_finds_estimators_with_a_twin_and_keeps_them_apart(several, tmp_p
     assert (out / "twin" / "face_3.onnx").read_text() == str(twin / "face_3.safetensors")
 
 
+def judging_line(model):
+    """Command that an export names, from the text that it ends."""
+    (text,) = export_models([model])["texts"]
+    said, line = text.split(": ")
+    assert "another recording" in said
+    return line
+
+
 def test_the_command_after_an_export_keeps_the_folder_of_results(several, tmp_path, monkeypatch):
     """Predictions went to `runs` of the folder that the command was called in."""
-    (several[0] / "frames.nc").touch()
-    read = f"instobj predict {several[0]}/face_3.onnx {several[0]}/frames.nc --out {tmp_path}"
-    assert export_models([several[0] / "face_3.safetensors"])["next"] == read
-    assert export_models([several[0]])["next"] == read
+    read = f"instobj predict {several[0]}/face_3.onnx RECORDING --out {tmp_path}"
+    assert judging_line(several[0] / "face_3.safetensors") == read
+    assert judging_line(several[0]) == read
     monkeypatch.chdir(tmp_path)
-    here = export_models([Path("runs/cube")])["next"]
-    assert here == "instobj predict runs/cube/face_3.onnx runs/cube/frames.nc"
+    assert judging_line(Path("runs/cube")) == "instobj predict runs/cube/face_3.onnx RECORDING"
     monkeypatch.chdir(tmp_path / "runs")
-    assert "--out" not in export_models([Path("cube")])["next"]
+    assert "--out" not in judging_line(Path("cube"))
+
+
+def test_after_an_export_the_training_s_own_data_set_is_not_proposed(several):
+    """Figures on what was trained on hold for no other recording."""
+    (several[0] / "frames.nc").touch()
+    document = export_models([several[0]])
+    assert "frames.nc" not in document["next"] + "".join(document["texts"])
+    assert document["next"] == "instobj docs calibrate"
 
 
 def test_two_estimators_that_would_be_one_file_are_refused_before_any_is_written(several, tmp_path):
@@ -481,6 +495,8 @@ def test_errors_are_measured_against_labels_beside_a_simple_regression(folder, t
     # made frames are linear in force: two epochs of a network are worse
     assert simple["read by"] in ("ridge", "nearest neighbours")
     assert simple["force error, median N"] < network["force error, median N"]
+    (better,) = [text for text in document["texts"] if "reads force better" in text]
+    assert f"{simple['force error, median N']:.3g} instead of" in better
     assert network["frames"] == simple["frames"] == len(pressed)
     assert len(judged(predict_file(model, tmp_path / "frames.nc", tmp_path))) == 1
 
@@ -494,13 +510,43 @@ def test_pressed_frames_that_nothing_explains_are_judged_apart(folder, tmp_path)
     force_n[rows] *= 40.0
     save_frames(replace(true, signal_counts=far, force_n=force_n), tmp_path / "far.nc")
     texts = predict_file(folder / "robot" / "face_3.onnx", tmp_path / "far.nc", tmp_path)["texts"]
-    (text,) = [text for text in texts if "by its labels" in text]
+    (text,) = [text for text in texts if "labelled force" in text]
     percents = re.search(
-        r"held in (\d+)% of the (\d+) pressed .* explains \(± .* and in (\d+)% of the", text
+        r"Of (\d+) pressed frames that .*explains, (\d+)% have .*Of \d+ other .*, (\d+)% have", text
     )
-    held, novel, others = map(int, percents.groups())
+    novel, held, others = map(int, percents.groups())
     assert held <= 1 < 90 < others
     assert len(rows) <= novel < 1.1 * len(rows)
+    assert max(len(sentence.split()) for sentence in text.split(". ")) <= 20
+
+
+def test_more_tips_than_were_trained_on_are_the_cause_and_decide_what_comes_next(folder, tmp_path):
+    """Five guesses were named, none of them what the labels show; nothing came next."""
+    model, true = tmp_path / "face_3.onnx", made_frames()
+    shutil.copy(folder / "robot" / "face_3.onnx", model)
+    save_frames(true, tmp_path / "frames.nc")
+    twice = replace(
+        true,
+        signal_counts=40.0 * true.signal_counts,
+        contact_face=np.repeat(true.contact_face, 2, axis=1),
+        contact_xy_mm=np.repeat(true.contact_xy_mm, 2, axis=1),
+        force_n=np.repeat(true.force_n, 2, axis=1),
+    )
+    save_frames(twice, tmp_path / "twice.nc")
+    far = replace(true, signal_counts=40.0 * true.signal_counts)
+    save_frames(far, tmp_path / "far.nc")
+    save_frames(replace(true, signal_counts=1.1 * true.signal_counts), tmp_path / "near.nc")
+    several, guessed, near = (
+        predict_file(model, tmp_path / f"{name}.nc", tmp_path) for name in ("twice", "far", "near")
+    )
+    said = " ".join(several["texts"])
+    assert "up to two tips on face 3; the network was trained on one" in said
+    assert "distance from the labelled centre of force" in said
+    assert "Likely causes" not in said
+    assert "Likely causes" in " ".join(guessed["texts"])
+    assert several["next"] == "instobj docs inversion"
+    assert guessed["next"] == "instobj docs calibrate"
+    assert near["next"] == "instobj docs live"
 
 
 def test_a_recording_that_was_trained_on_is_named(folder, tmp_path):

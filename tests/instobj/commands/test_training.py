@@ -69,7 +69,9 @@ def test_parts_of_a_data_set_are_told_by_what_they_are_used_for():
     split = split_presses(frames, 0)
     frames.valid[np.flatnonzero(split.train & (frames.place_id >= 0))[:2]] = False
     rows = data_parts(frames, split)
-    assert [row["used for"] for row in rows] == ["training", "stopping, intervals", "held out"]
+    assert [row["used for"] for row in rows] == [
+        *("training", "stopping, interval widths", "held out: judged above")
+    ]
     assert sum(row["presses"] for row in rows) == 8
     assert {row["contact cases"] for row in rows} == {2}
     for row, lost in zip(rows, (2, 0, 0), strict=True):

@@ -74,6 +74,16 @@ def test_a_search_is_neither_overwritten_nor_mixed_up(tmp_path):
     assert len(open_trials(made_up_space(trials=77).spec, path, resume=True).trials) == 32
 
 
+def test_a_search_broken_off_before_its_first_trial_simply_begins_again(tmp_path):
+    """The next call was refused: it held a search already."""
+    path = tmp_path / "trials.jsonl"
+    open_trials(made_up_space(reach=13.0).spec, path)
+    begun = open_trials(made_up_space().spec, path)
+    run_search(made_up_space(trials=16), begun, answering(made_up_score), lambda line: None)
+    assert len(begun.trials) == 16
+    assert open_trials(made_up_space().spec, path, resume=True).trials == begun.trials
+
+
 @pytest.mark.parametrize(
     "changed",
     [

@@ -165,6 +165,20 @@ def test_a_written_layout_is_read_back(tmp_path):
     assert changed == {"name"}
 
 
+def test_a_written_layout_names_a_mesh_that_is_coarser_than_the_default(tmp_path):
+    """A final run took over the coarse mesh of a search without a word."""
+    path = tmp_path / "best.toml"
+    for mesh, named in ({}, False), ({"edge_mm": 6.0}, True), ({"edge_mm": 3.0}, False):
+        write_specification(
+            parse_spec({"name": "cube", "mesh": mesh}, "made up"), "a", path, tmp_path
+        )
+        comments = [line for line in path.read_text().splitlines() if line.startswith("#")]
+        assert [("edge_mm" in line and "surface" not in line) for line in comments] == [
+            True
+        ] * named
+    assert load_spec(path).mesh.edge_mm == 3.0
+
+
 @pytest.mark.parametrize("example", ["ball", "handle"])
 def test_an_empty_table_moves_magnets_and_sensors_over_the_whole_face(example):
     spec = load_spec(EXAMPLES / f"{example}.toml")

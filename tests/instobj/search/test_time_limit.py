@@ -102,15 +102,32 @@ def test_after_mechanics_were_made_no_more_is_asked_for_than_was_said():
     assert limit.enough_s(300.0, 60.0) == 900
     with (
         pytest.raises(InputError, match=r"search\.seconds=900, all"),
-        limit.enforced(enough_s=900),
+        limit.enforced(enough_s=lambda: 900),
     ):
         time.sleep(5)
     enough = TimeLimit(0.5)
     with (
         pytest.raises(InputError, match=r"search\.seconds=1, all"),
-        enough.enforced(enough_s=0.4),
+        enough.enforced(enough_s=lambda: 0.4),
     ):
         time.sleep(5)
+
+
+def test_once_mechanics_are_measured_the_time_that_will_do_is_named(clock):
+    """A search of 500 s, as advised, went on for 330 s after mechanics of 133 s and had no result: layouts at
+    the second level took 115 s each, a chain 140 s."""
+    limit = TimeLimit(500)
+    clock.now_s += 140
+    said = limit.measured_plan(133.0)
+    assert "mechanics took 133 s" in said
+    advised_s = limit.measured_s(133.0)
+    assert f"--resume --set search.seconds={advised_s:g}" in said
+    assert (1 - 0.4) * 0.94 * advised_s > 2 * 115 + 140
+    assert TimeLimit(advised_s).measured_plan(133.0) == ""
+    clock.now_s += 200
+    assert "--set search.seconds=500" in limit.measured_plan(60.0), (
+        "enough, but most of it is spent"
+    )
 
 
 def test_no_time_for_trials_is_planned_that_mechanics_need():
@@ -239,8 +256,8 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
 
     def score(trials, seconds):
         layout = start | {"magnet1_x_mm": start["magnet1_x_mm"] - beside_mm}
-        scores = {"worst_position_bound_mm": 1.0}
-        return [Scored(layout, (1.0,), scores, 0.0, "", 1) for _ in trials]
+        scores, of_start = {"worst_position_bound_mm": 1.0}, {"worst_position_bound_mm": 1.5}
+        return [Scored(layout, (1.0,), scores, 0.0, "", 1, start_scores=of_start) for _ in trials]
 
     run_search(space, kept, answering(score), lambda line: None, start)
     assert len(leaders(space, kept, 5)) == (beside_mm == 1.0)
@@ -251,6 +268,11 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
     assert str(path) in said
     assert "Trials (1), finished stages" in said
     assert ("began with" in said) == (beside_mm < 1.0)
+    gains = "by the lowest fidelity level alone (worst location 1 instead of 1.5 mm)"
+    first_line = path.read_text().splitlines()[0]
+    assert (gains in said) == (gains in first_line) == (beside_mm == 1.0)
+    assert (f"Judge it: instobj score {path}." in said) == (beside_mm == 1.0)
+    assert ("the search began with" in first_line) == (beside_mm < 1.0)
     x_mm = 8.0 if beside_mm < 1.0 else 7.0
     assert load_spec(path).magnets.positions_mm[0] == (x_mm, 8.0)
     if beside_mm < 1.0:
