@@ -353,7 +353,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=29,
+        version=30,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

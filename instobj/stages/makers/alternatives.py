@@ -161,8 +161,9 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
     return _with_sensors(spec, noise_counts=(x, y, z))
 
 
-def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
-    """On the same ring; where each sensor has a place, on a pattern of as many that fits."""
+def with_more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
+    """Return a specification with sensors added on every face: on the same ring; where each sensor has a place, on
+    a pattern of as many that fits. An error where none does."""
     sensors, count = spec.sensors, spec.sensors.count_per_face + added
     if sensors.positions_mm is None:
         return _with_sensors(spec, count_per_face=count)
@@ -224,8 +225,8 @@ def changes_of(spec: ObjectSpec) -> dict[str, Change]:
 
 _CHANGES: dict[str, Change] = {
     "mean of four frames in your own program (sensors.noise_counts halved, a quarter of the rate)": _quieter,
-    "one more sensor on every face": partial(_more_sensors, 1),
-    "two more sensors on every face": partial(_more_sensors, 2),
+    "one more sensor on every face": partial(with_more_sensors, 1),
+    "two more sensors on every face": partial(with_more_sensors, 2),
     f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,
 }
 _MORE_SENSORS = {"one more sensor on every face", "two more sensors on every face"}

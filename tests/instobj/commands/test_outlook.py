@@ -138,9 +138,27 @@ def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
 
 
 def test_bounds_to_expect_are_said_with_how_sure_they_are_and_the_share_within_the_limit(big):
-    text = expected_text(spec_of(big[1]), FirstScore(0.512, 1.62, 0.9996))
-    for said in ("0.51 mm (median", "1.6 mm (95th", "factor of 2.5", "99 % of the contact"):
+    """Of a box "about 95 %" was said, and the chain found 80 %."""
+    score = FirstScore(0.512, 1.62, 0.9, within_range=(0.702, 0.9996))
+    text = expected_text(spec_of(big[1]), score)
+    for said in ("0.51 mm (median", "one in twenty above 1.6 mm", "factor of 2.5", "70 to 99 % of"):
         assert said in text
+    assert "about 90" not in text
+    alike = expected_text(spec_of(big[1]), replace(score, within_range=(1.0, 1.0)))
+    assert "; 100 % of the contact" in alike
+
+
+def test_the_range_of_the_share_is_that_of_a_factor_on_all_bounds(big):
+    """As a limit so many times smaller, and larger, would have it."""
+    spec = spec_of(big[1])
+    limit_mm = first_score(spec).median_mm
+
+    def score_at(factor):
+        return first_score(spec.changed(limits={"position_bound_mm": factor * limit_mm}))
+
+    least, most = score_at(1.0).within_range
+    assert (least, most) == (score_at(0.4).within, score_at(2.5).within)
+    assert least < score_at(1.0).within < most
 
 
 def test_contact_locations_of_a_large_body_lie_farther_apart(big):
@@ -179,7 +197,9 @@ def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
     path = tmp_path / "big.toml"
     path.write_text(specification_text("big", tmp_path, big[1]), encoding="utf-8")
     row = check_specifications([path], [])["specifications"][0]
-    assert row["outlook"] == expected_text(spec, first_score(spec)) in placed_text(path)
+    expected = expected_text(spec, first_score(spec))
+    assert expected in placed_text(path)
+    assert row["outlook"] == f"{expected}. Compare layouts by `instobj score`, not by this"
     assert row["mass"] == mass_text(spec)
     assert f"cover {100 * row['covered_share']:.0f} % of the sensed surface" in placed_text(path)
     turned = spec.changed(sensors=spec.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),)))

@@ -7,6 +7,7 @@ import pytest
 
 from design.layout.places.contact_grid import contact_grid
 from design.spec_io import parse_spec, with_overrides
+from estimator.layouts.without_mesh import first_score
 from instobj.commands.run import check as instobj_check
 from instobj.report.remedies import (
     decision,
@@ -122,20 +123,33 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
 
-def test_what_to_try_next_is_taken_by_check_as_it_is_pasted():
-    """A thinner shell was advised, which `check` refused for depths of presses."""
-    text = further_text(SPEC, [START])
-    options = re.findall(r"--set (\S+)=(\S+)", text)
-    assert [key for key, _ in options] == [
-        *("magnets.height_mm", "shell.thickness_mm", "press.depths_mm"),
-    ]
-    (_, height), *thinner = options
-    for pasted in ([f"magnets.height_mm={height}"], [f"{key}={value}" for key, value in thinner]):
-        content = with_overrides({"name": "a"}, pasted)
-        instobj_check(parse_spec(content, "a"))
-    assert "depths" not in further_text(SPEC.changed(press={"depths_mm": [1.0, 2.0]}), [START])
-    thin = SPEC.changed(shell=SPEC.shell.changed(pocket_depth_mm=7.0))
-    assert "shell.thickness_mm" not in further_text(thin, [START])
+def test_what_to_try_next_is_taken_by_check_and_forecast_no_worse():
+    """A thinner shell was advised, which `check` refused for depths of presses, or forecast three times worse."""
+
+    def options_of(spec):
+        pasted = re.findall(r"--set (\S+=\S+?)[.,]?(?= |$)", further_text(spec, [START]))
+        keys = {option.split("=")[0] for option in pasted}
+        assert keys <= {"magnets.height_mm", "shell.thickness_mm", "press.depths_mm"}
+        return pasted
+
+    assert options_of(SPEC) == ["magnets.height_mm=1.5"]
+    changed = instobj_check_spec(with_overrides({"name": "a"}, options_of(SPEC)))
+    now, after = first_score(SPEC), first_score(changed)
+    assert after.median_mm < now.median_mm
+    assert after.percentile_95_mm < now.percentile_95_mm
+    thinner = {"shell": {"thickness_mm": 6.0}, "press": {"depths_mm": [1.0, 2.0, 3.0]}}
+    worse = first_score(instobj_check_spec({"name": "a", **thinner}))
+    assert worse.percentile_95_mm > now.percentile_95_mm, "why it is left out"
+    # what cannot be forecast is not offered
+    turned = SPEC.changed(sensors=SPEC.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),)))
+    assert options_of(turned) == []
+
+
+def instobj_check_spec(content):
+    """The checked specification of some content."""
+    spec = parse_spec(content, "a")
+    instobj_check(spec)
+    return spec
 
 
 def test_why_a_softer_silicone_is_left_out_is_said():
@@ -224,8 +238,8 @@ def test_the_change_that_helps_most_comes_with_its_lines_to_copy():
 @pytest.mark.parametrize(
     ("after_mm", "sentence"),
     [
-        ((1.9, 0.9, 0.8), ". This halves it: sensors (0.9 mm)"),
-        ((1.9, 1.5, 1.2), ". No change tried halves it; the best: magnets (1.2 mm)"),
+        ((1.9, 0.9, 0.8), ". This halves it: sensors (edges then 0.9 mm)"),
+        ((1.9, 1.5, 1.2), ". No change tried halves it; the best: magnets (edges then 1.2 mm)"),
         ((2.0, 2.5, 3.0), "; none of the changes tried makes them better"),
     ],
 )

@@ -1,5 +1,7 @@
 """The verdict: figures against their limits, and what limits the object."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -45,6 +47,14 @@ def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
     place, *others = verdict.judge(spec, scores, 0.4, objects).checks
     assert scores.exceeds_bound
     assert f". {scores.exceeds_bound}" in place.where
+    # the head gives the reading next to the bound: bounds of 0.8 mm stood there alone, readings at 6 mm
+    count, judged = scores.misread.sum(), scores.judged.sum()
+    assert count > 0.1 * judged
+    text, row = verdict.located_text(spec, scores), verdict.score_rows(scores)[2]
+    read = f"{row['95 % below']:.2g} mm at 95 % of all"
+    assert f"{count} of {judged} are read worse than the bound: {read}" in text
+    exact = replace(scores, position_error_mm=scores.position_bound_mm)
+    assert "read worse" not in verdict.located_text(spec, exact)
     assert not any("maximum likelihood" in check.where for check in others)
 
 
