@@ -62,7 +62,7 @@ _BACK = (1.0, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2)
 BROKEN = AFTER_ALL / 2
 """Value above which a layout breaks a limit."""
 MEDIAN_FACTOR = 2.5
-"""Factor between forecast and chain that the median bounds of eleven bodies kept (docs/measured/bodies.md)."""
+"""Largest factor between forecast and chain in the medians of eleven bodies (docs/measured/bodies.md)."""
 Points = Float[np.ndarray, "layout variable"]
 
 

@@ -204,7 +204,10 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         GO if verdict.go else NO_GO: (
             f"{good} for the use {spec.limits.use!r}{failed}; {located_text(spec, scores)}"
         ),
-        "judged on": f"{verdict.covered:.0%} of the sensed surface, by {tip_text(spec)} (pads and jaws: instobj docs start); {built}",
+        "judged on": (
+            f"{verdict.covered:.0%} of the sensed surface, by {tip_text(spec)} (pads and jaws: instobj docs "
+            f"start); {built}"
+        ),
         **_mesh_line(spec, results),
         "limited by": verdict.limited_by,
         "edges": edge_text(edges := WEAK_AREAS.read(results["weak_areas"].folder)),

@@ -175,7 +175,7 @@ _NOTABLE = 0.1
 
 
 def _reading_text(scores: PlaceScores) -> str:
-    """Say how far maximum likelihood errs where it is worse than the bound at many locations, as a sentence."""
+    """Say how far maximum likelihood errs where it is worse than the bound at many locations."""
     count, judged = int(scores.misread.sum()), int(scores.judged.sum())
     if count < _NOTABLE * judged:
         return ""

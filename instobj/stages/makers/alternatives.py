@@ -162,8 +162,8 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
 
 
 def with_more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
-    """Return a specification with sensors added on every face: on the same ring; where each sensor has a place, on
-    a pattern of as many that fits. An error where none does."""
+    """Return a specification with sensors added on every face: on the same ring; where each sensor has a
+    place, on a pattern of as many that fits. An error where none does."""
     sensors, count = spec.sensors, spec.sensors.count_per_face + added
     if sensors.positions_mm is None:
         return _with_sensors(spec, count_per_face=count)

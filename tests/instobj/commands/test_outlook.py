@@ -1,6 +1,7 @@
 """What `instobj new` says of what comes next: memory, numbers of parts that help, time."""
 
 import re
+import tomllib
 import warnings
 from dataclasses import replace
 
@@ -128,8 +129,33 @@ def test_a_softer_silicone_is_advised_only_where_it_carries_the_force(big):
         )
         for force_n in (0.5, 50.0)
     )
-    assert "Take a smaller body or raise limits.position_bound_mm" in heavy
+    assert "a smaller body or raise limits.position_bound_mm" in heavy
+    assert "little better" not in heavy
+    assert re.search(r"Tried: .*[\d.]+ mm \(median\), \d+ % within", heavy)
     assert "smaller body, a softer silicone (silicone.name = 'Ecoflex 00-30') or raise" in light
+
+
+@pytest.mark.slow
+def test_more_sensors_under_the_same_shell_come_with_figures_and_lines_to_copy():
+    """Of a box "little better" was said of five sensors, and `run` halved its bound with them: placed by rules
+    they had a thinner shell and smaller magnets."""
+    request = Request("box", (60.0, 45.0, 40.0))
+    shell = ShellVariant(8.0, 6.0, 5.0, 1.0)
+    tables, _ = improved(next(fitting_tables(replace(request, magnets=9), (shell,), COARSE)), 2)
+    spec = spec_of(tables)
+    score = first_score(spec)
+    advice, *lines = parts_that_help(request, spec, score).splitlines()
+    assert f"{score.median_mm:.2g} mm (median)" in advice
+    median_mm, share = re.search(
+        r"same shell: ([\d.]+) mm \(median\), (\d+) % within", advice
+    ).groups()
+    pasted = spec.changed(sensors=tomllib.loads("\n".join(lines))["sensors"])
+    after = first_score(pasted)
+    assert pasted.sensors.count_per_face == spec.sensors.count_per_face + 2
+    assert pasted.shell == spec.shell
+    assert float(median_mm) == pytest.approx(after.median_mm, rel=0.05)
+    assert float(share) == pytest.approx(100 * after.within, abs=1)
+    assert after.within > score.within
 
 
 def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):

@@ -124,7 +124,7 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
 
 
 def test_what_to_try_next_is_taken_by_check_and_forecast_no_worse():
-    """A thinner shell was advised, which `check` refused for depths of presses, or forecast three times worse."""
+    """A thinner shell was advised, which `check` refused for its depths or forecast to be three times worse."""
 
     def options_of(spec):
         pasted = re.findall(r"--set (\S+=\S+?)[.,]?(?= |$)", further_text(spec, [START]))
@@ -141,7 +141,7 @@ def test_what_to_try_next_is_taken_by_check_and_forecast_no_worse():
     worse = first_score(instobj_check_spec({"name": "a", **thinner}))
     assert worse.percentile_95_mm > now.percentile_95_mm, "why it is left out"
     # what cannot be forecast is not offered
-    turned = SPEC.changed(sensors=SPEC.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),)))
+    turned = SPEC.changed(sensors=SPEC.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),) * 3))
     assert options_of(turned) == []
 
 
