@@ -6,6 +6,7 @@ what the changes differ in.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isfinite
 from operator import mul
@@ -13,11 +14,8 @@ from typing import Any
 
 from design.body.surface_chart import FACE_AXES
 from design.catalogue.silicones import softer_silicones
-from design.errors import InputError
 from design.spec.object import ObjectSpec
-from design.spec_io import check
 from estimator.information.scores import PlaceScores, weakest_place
-from estimator.signals.presses import checked_rest_counts
 from instobj.report.cells import GO, NO_GO, percent_text
 from instobj.report.uncertainty import coarse_mesh_text
 from instobj.report.verdict import (
@@ -132,8 +130,9 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
         ]
         table.append([_joined(remedy.changes), *figures[remedy.changes], *more])
     first = None if go else first_change(candidates)
+    further = _further_sentences(spec, rows, content.get("next_options", ()))
     return {
-        "decision": (decision(candidates, go), *(() if go else _further_sentences(spec, rows))),
+        "decision": (decision(candidates, go), *(() if go else further)),
         "settings": first.settings if first else (),
         "alternatives": table,
     }
@@ -213,10 +212,12 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         "edges": edge_text(edges := WEAK_AREAS.read(results["weak_areas"].folder)),
     }
     if "alternatives" in results:
-        rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
+        content = ALTERNATIVES.read(results["alternatives"].folder)
+        rows = content["alternatives"]
         lines["edges"] = edges_text(spec, edges, rows)
-        further = "" if verdict.go else further_text(spec, rows)
-        lines["what to change"] = decision(remedies(spec, rows), verdict.go, further)
+        lines["what to change"] = decision(
+            remedies(spec, rows), verdict.go, further_text(spec, rows, content["next_options"])
+        )
     lines["edges"] += worst_edge_text(spec, scores, edges)
     return lines
 
@@ -274,19 +275,17 @@ def decision(candidates: list[Remedy], go: bool, further: str = "") -> str:
     return f"None of the changes tried is enough, alone or with others. {helps}{further}"
 
 
-_HIGHER, _THINNER = 1.5, 0.75
-"""Height of magnets and thickness of a shell over those of the design, as the next to try."""
+def further_text(spec: ObjectSpec, rows: list[dict[str, Any]], options: Iterable[str] = ()) -> str:
+    """Return why a softer silicone is left out, and what to try next: other places, then `options` of
+    `instobj check` (`next_options`)."""
+    return "".join(f". {sentence}" for sentence in _further_sentences(spec, rows, options))
 
 
-def further_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
-    """Return why a softer silicone is left out, and what to try next: options that `instobj check` takes and
-    that its forecast finds no worse."""
-    return "".join(f". {sentence}" for sentence in _further_sentences(spec, rows))
-
-
-def _further_sentences(spec: ObjectSpec, rows: list[dict[str, Any]]) -> tuple[str, ...]:
-    options = " or ".join(filter(None, (_higher_magnets(spec), _thinner_shell(spec))))
-    then = f", then {options}" if options else ""
+def _further_sentences(
+    spec: ObjectSpec, rows: list[dict[str, Any]], options: Iterable[str]
+) -> tuple[str, ...]:
+    text = " or ".join(options)
+    then = f", then {text}" if text else ""
     next_text = f"Next to try: other places (instobj optimize){then}"
     return tuple(filter(None, (_softer_text(spec, rows), next_text)))
 
@@ -325,62 +324,6 @@ def _softer_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
 
 def _range_text(low_mpa: float, high_mpa: float) -> str:
     return f"{low_mpa:g} to {high_mpa:g} MPa" if low_mpa < high_mpa else f"{low_mpa:g} MPa"
-
-
-def _higher_magnets(spec: ObjectSpec) -> str:
-    """Return options for magnets half as high again; nothing where `instobj check` refuses them or forecasts
-    worse bounds."""
-    height_mm = spec.magnets.height_mm
-    if isinstance(height_mm, tuple):
-        return ""
-    height_mm = round(_HIGHER * height_mm, 2)
-    changed = _checked(spec, {"magnets": {"height_mm": height_mm}})
-    if changed is None or not _forecast_no_worse(spec, changed):
-        return ""
-    return f"--set magnets.height_mm={height_mm:g}"
-
-
-def _thinner_shell(spec: ObjectSpec) -> str:
-    """Return options for a shell a quarter thinner, pressed as deep as it allows; nothing where it cannot be
-    pressed deep enough, or `instobj check` refuses it or forecasts worse bounds."""
-    thickness_mm, depths_mm = round(_THINNER * spec.shell.thickness_mm, 2), spec.press.depths_mm
-    option = f"--set shell.thickness_mm={thickness_mm:g}"
-    # the deepest presses are left out one by one until the rest is taken; two depths are the fewest
-    for count in range(len(depths_mm), 1, -1):
-        kept = depths_mm[:count]
-        tables = {"shell": {"thickness_mm": thickness_mm}, "press": {"depths_mm": kept}}
-        changed = _checked(spec, tables)
-        if changed is None:
-            continue
-        if not _forecast_no_worse(spec, changed):
-            return ""
-        if count == len(depths_mm):
-            return option
-        return f"{option} --set press.depths_mm=[{','.join(f'{depth:g}' for depth in kept)}]"
-    return ""
-
-
-def _checked(spec: ObjectSpec, tables: dict[str, dict[str, Any]]) -> ObjectSpec | None:
-    """Return a specification with some keys changed; None where `instobj check` refuses it."""
-    try:
-        changes = {name: getattr(spec, name).changed(**keys) for name, keys in tables.items()}
-        changed = check(spec.changed(**changes))
-        checked_rest_counts(changed)
-    except ValueError:
-        return None
-    return changed
-
-
-def _forecast_no_worse(spec: ObjectSpec, changed: ObjectSpec) -> bool:
-    """Return whether a changed specification has neither a larger median bound nor a larger 95th percentile,
-    by the forecast of `instobj check`; not where nothing can be forecast."""
-    from estimator.layouts.without_mesh import first_score  # loads torch
-
-    try:
-        now, after = first_score(spec), first_score(changed)
-    except InputError:
-        return False
-    return after.median_mm <= now.median_mm and after.percentile_95_mm <= now.percentile_95_mm
 
 
 def _joined(changes: tuple[str, ...]) -> str:

@@ -181,7 +181,8 @@ def _reading_text(scores: PlaceScores) -> str:
         return ""
     error_mm = bound_of_most(scores.position_error_mm[scores.judged])
     error = f"{error_mm:.2g} mm" if np.isfinite(error_mm) else "not at all"
-    return f". {count} of {judged} are read worse than the bound: {error} at 95 % of all, by maximum likelihood"
+    reading = f"{error} at 95 % of all, by maximum likelihood"
+    return f". {count} of {judged} are read worse than the bound: {reading}"
 
 
 _MIDDLE, _OUTER = 1 / 3, 2 / 3

@@ -29,6 +29,7 @@ from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
 from instobj.report.remedies import softer_label
 from instobj.report.verdict import worst_ratio
+from instobj.stages.makers.next_options import next_options
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
 
@@ -68,7 +69,11 @@ def make_alternatives(context: StageContext, folder: Path) -> None:
     signals = SIGNALS.read(context.inputs["signals"])
     presses = PRESSES.path(context.inputs["presses"])
     rows = alternatives(context.spec, signals, presses, context.step)
-    write_json({"alternatives": [asdict(row) for row in rows]}, ALTERNATIVES.path(folder))
+    content = {
+        "alternatives": [asdict(row) for row in rows],
+        "next_options": next_options(context.spec),
+    }
+    write_json(content, ALTERNATIVES.path(folder))
 
 
 def alternatives(

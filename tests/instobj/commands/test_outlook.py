@@ -137,7 +137,7 @@ def test_a_softer_silicone_is_advised_only_where_it_carries_the_force(big):
 
 @pytest.mark.slow
 def test_more_sensors_under_the_same_shell_come_with_figures_and_lines_to_copy():
-    """Of a box "little better" was said of five sensors, and `run` halved its bound with them: placed by rules
+    """Of a box "little better" was said of five sensors, and `run` halved its bound with them: by rules
     they had a thinner shell and smaller magnets."""
     request = Request("box", (60.0, 45.0, 40.0))
     shell = ShellVariant(8.0, 6.0, 5.0, 1.0)
