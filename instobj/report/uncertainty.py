@@ -43,8 +43,8 @@ def coarse_mesh_text(spec: ObjectSpec, content: dict[str, Any] | None) -> str:
     if not longer:
         return ""
     worst = [step["motion_worst"] for step in content["steps"]] if content else []
-    known = [share for share in worst if share is not None]
-    off = f"motions up to {100 * max(known):.0f} % off" if known else "motions less exact"
+    shares = [share for share in worst if share is not None]
+    off = f"motions up to {100 * max(shares):.0f} % off" if shares else "motions less exact"
     return f"coarse, edges of {', '.join(longer)}: {off}; confirm with the usual edges, without --set mesh"
 
 

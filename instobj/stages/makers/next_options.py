@@ -7,7 +7,6 @@ from typing import Any
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import check
-from estimator.layouts.without_mesh import first_score
 from estimator.signals.presses import checked_rest_counts
 
 _HIGHER, _THINNER = 1.5, 0.75
@@ -66,6 +65,8 @@ def _checked(spec: ObjectSpec, tables: dict[str, dict[str, Any]]) -> ObjectSpec 
 def _forecast_no_worse(spec: ObjectSpec, changed: ObjectSpec) -> bool:
     """Return whether a changed specification has neither a larger median bound nor a larger 95th percentile,
     by the forecast of `instobj check`; not where nothing can be forecast."""
+    from estimator.layouts.without_mesh import first_score  # loads torch
+
     try:
         now, after = first_score(spec), first_score(changed)
     except InputError:
