@@ -61,6 +61,8 @@ _BACK = (1.0, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2)
 """Shares of the ways from a layout that keeps the limits to ends of walks, which often lie a hair beyond."""
 BROKEN = AFTER_ALL / 2
 """Value above which a layout breaks a limit."""
+MEDIAN_FACTOR = 2.5
+"""Largest factor between forecast and chain in the medians of eleven bodies (docs/measured/bodies.md)."""
 Points = Float[np.ndarray, "layout variable"]
 
 
@@ -68,12 +70,14 @@ Points = Float[np.ndarray, "layout variable"]
 class FirstScore:
     """Position bounds (mm) of an object over its contact locations, at `score.force_n`, by a layer's presses:
     median, 95th percentile, and share within `limits.position_bound_mm`; share that feels a touch of
-    `limits.detectable_force_n`, with signals in proportion to force."""
+    `limits.detectable_force_n`, with signals in proportion to force; shares within the limit were all bounds
+    `MEDIAN_FACTOR` times larger, and smaller."""
 
     median_mm: float
     percentile_95_mm: float
     within: float
     felt: float = 1.0
+    within_range: tuple[float, float] = (0.0, 1.0)
 
 
 def first_score(spec: ObjectSpec) -> FirstScore:
@@ -90,11 +94,16 @@ def first_score(spec: ObjectSpec) -> FirstScore:
             signal.append(scorer.presses.force_n * changes[:, 0, 2].norm(dim=0).numpy())
     bound_mm, distance = np.concatenate(position), np.concatenate(signal)
     limits, share = spec.limits, spec.limits.detectable_force_n / spec.score.force_n
+    within, least, most = (
+        float(np.mean(factor * bound_mm <= limits.position_bound_mm))
+        for factor in (1.0, MEDIAN_FACTOR, 1 / MEDIAN_FACTOR)
+    )
     return FirstScore(
         float(np.median(bound_mm)),
         float(np.percentile(bound_mm, 95.0)),
-        float(np.mean(bound_mm <= limits.position_bound_mm)),
+        within,
         float(np.mean(share * distance >= DETECTION_DISTANCE)),
+        (least, most),
     )
 
 

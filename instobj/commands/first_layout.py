@@ -37,6 +37,7 @@ from estimator.layouts.without_mesh import (
 from fem.candidates.layer import Layer
 from instobj.commands.run import check
 from instobj.report.cells import percent_text
+from instobj.stages.makers.alternatives import settings_of, with_more_sensors
 
 BRIEF = 2
 """Rounds of walks where layouts are compared that are not taken."""
@@ -222,7 +223,7 @@ def gain_text(content: Tables) -> str:
 
 def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
     """Say which number of parts on each face brings all locations within the limit, the fewest that do, or
-    most of them; nothing where all are.
+    most of them; else what was tried, with figures. Nothing where all are.
 
     The most parts are tried first: where they are too few, so are fewer, which need no search.
     """
@@ -235,6 +236,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         spec.magnets.sizes[0].height_mm,
     )
     best, help_text = score.within + min(_MORE_WITHIN, (1 - score.within) / 2), ""
+    tried = dict[str, FirstScore]()
     for sensors_more, count in reversed(_MORE):
         # without a number asked for, more magnets were tried already: they were no better, or cannot be made
         magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
@@ -246,11 +248,12 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(spec_of(improved(placed, BRIEF)[0])).within
+        after = first_score(spec_of(improved(placed, BRIEF)[0]))
+        within, more = after.within, magnets if magnets > spec.magnets.count else None
+        name = _parts_text(sensors_more, (larger.sensors, more))
+        tried[name + _otherwise_text(spec, spec_of(placed))] = after
         if within > best or within == 1:
-            more = magnets if magnets > spec.magnets.count else None
-            best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
-            help_text += _otherwise_text(spec, spec_of(placed))
+            best, help_text = within, list(tried)[-1]
         if within < 1:  # and fewer parts see less
             break
     if best == 1:
@@ -263,11 +266,35 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
             f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} or more within the "
             "limit; a go needs all of them there"
         )
-    return (
-        "NO-GO is to be expected: a go needs every location within the limit. Brief searches with up to "
-        f"{request.sensors + 2} sensors on each face found little better. Take a smaller body"
-        f"{_softer_text(spec)} or raise limits.position_bound_mm"
+    added, _ = _MORE[-1]
+    name, lines = f"{added} more sensors on each face under the same shell", ()
+    try:
+        changed = with_more_sensors(added, spec)
+        tried[name], lines = first_score(changed), settings_of(spec, changed)
+    except ValueError:
+        pass  # no pattern of as many fits
+    if name in tried and tried[name].within > best:
+        return "\n".join(
+            (
+                f"NO-GO is to be expected at {_figures_text(score)}. {name}: {_figures_text(tried[name])}; a "
+                "go needs all of them there. These lines go in place of the same keys:",
+                *lines,
+            )
+        )
+    figures = "; ".join(
+        f"{parts.rstrip(',')}: {_figures_text(after)}" for parts, after in tried.items()
     )
+    gains = any(a.within > score.within or a.median_mm < score.median_mm for a in tried.values())
+    return (
+        f"NO-GO is to be expected at {_figures_text(score)}: a go needs every location within the limit. "
+        f"Tried: {figures or 'nothing, as more sensors do not fit'}. Take "
+        f"{'more sensors, ' * gains}a smaller body{_softer_text(spec)} or raise limits.position_bound_mm"
+    )
+
+
+def _figures_text(score: FirstScore) -> str:
+    """Return median bound and share within the limit."""
+    return f"{score.median_mm:.2g} mm (median), {percent_text(score.within)} within"
 
 
 def _softer_text(spec: ObjectSpec) -> str:

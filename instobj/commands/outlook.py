@@ -11,7 +11,7 @@ from design.placement.objects import (
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from estimator.layouts.without_mesh import FirstScore, first_score
+from estimator.layouts.without_mesh import MEDIAN_FACTOR, FirstScore, first_score
 from instobj.report.cells import percent_text
 from instobj.stages.resources import needed_gib, require_memory, search_seconds
 
@@ -55,19 +55,22 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     """Say which position bounds to expect, and whether light touches are felt; ranges are those of
     docs/measured/bodies.md."""
     felt = f"about {percent_text(score.felt)} feel" if score.felt < 1 else "all feel"
+    least, most = map(percent_text, score.within_range)
+    shares = least if least == most else f"{least.removesuffix(' %')} to {most}"
     return (
-        f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of 2.5) and "
-        f"{score.percentile_95_mm:.2g} mm (95th percentile, a third of that to twice that); "
-        f"about {percent_text(score.within)} of the contact locations within "
-        f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; {felt} a touch of "
-        f"limits.detectable_force_n = {spec.limits.detectable_force_n:g} N"
+        f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of "
+        f"{MEDIAN_FACTOR:g}), one in twenty above {score.percentile_95_mm:.2g} mm (a third of that to twice "
+        f"that); {shares} of the contact locations within limits.position_bound_mm = "
+        f"{spec.limits.position_bound_mm:g} mm; {felt} a touch of limits.detectable_force_n = "
+        f"{spec.limits.detectable_force_n:g} N"
     )
 
 
 def outlook_text(spec: ObjectSpec) -> str:
-    """Say the same of a specification, or why nothing can be said of it without a mesh."""
+    """Say the same of a specification and what it is not for, or why nothing can be said without a mesh."""
     try:
-        return expected_text(spec, first_score(spec))
+        expected = expected_text(spec, first_score(spec))
+        return f"{expected}. Compare layouts by `instobj score`, not by this"
     except InputError as error:
         return f"position bounds are known after `instobj score` only: {error}"
 

@@ -20,12 +20,13 @@ from instobj.report.cells import shown
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import deformation_section
 from instobj.report.pages import write_page
-from instobj.report.remedies import edges_text, remedies_section, worst_edge_text
+from instobj.report.remedies import edges_text, remedies_section, tip_text, worst_edge_text
 from instobj.report.summary import cross_face_rows, part_rows
 from instobj.report.surroundings import GRASP_HEADER, grasp_rows, surroundings_section
 from instobj.report.uncertainty import (
     HEADER,
     bound_rows,
+    coarse_mesh_text,
     error_note,
     error_rows,
     error_text,
@@ -77,6 +78,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
         located=located_text(spec, scores),
+        tip=tip_text(spec),
+        coarse_mesh=coarse_mesh_text(spec, readers.DISCRETISATION.read(inputs["discretisation"])),
         locations=locations_line(spec),
         unreached=scores.unreached,
         covered_by_face="" if scores.unreached else _covered_by_face(spec),

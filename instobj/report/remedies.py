@@ -6,6 +6,7 @@ what the changes differ in.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isfinite
 from operator import mul
@@ -14,10 +15,9 @@ from typing import Any
 from design.body.surface_chart import FACE_AXES
 from design.catalogue.silicones import softer_silicones
 from design.spec.object import ObjectSpec
-from design.spec_io import check
 from estimator.information.scores import PlaceScores, weakest_place
-from estimator.signals.presses import checked_rest_counts
 from instobj.report.cells import GO, NO_GO, percent_text
+from instobj.report.uncertainty import coarse_mesh_text
 from instobj.report.verdict import (
     LEAST_REACHED,
     judge,
@@ -31,7 +31,14 @@ from instobj.report.verdict import (
 )
 from instobj.report.weak_areas import are_weak, edge_text
 from instobj.store.content import StoredResult
-from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
+from instobj.store.readers import (
+    ALTERNATIVES,
+    DISCRETISATION,
+    PRESS_CURVES,
+    ROBUSTNESS,
+    SCORES,
+    WEAK_AREAS,
+)
 
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
 """Price and time by hand of a magnet and of a sensor on its board. A magnet's pole is found and it is
@@ -123,8 +130,9 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
         ]
         table.append([_joined(remedy.changes), *figures[remedy.changes], *more])
     first = None if go else first_change(candidates)
+    further = _further_sentences(spec, rows, content.get("next_options", ()))
     return {
-        "decision": decision(candidates, go, further_text(spec, rows)),
+        "decision": (decision(candidates, go), *(() if go else further)),
         "settings": first.settings if first else (),
         "alternatives": table,
     }
@@ -155,7 +163,7 @@ def edges_text(spec: ObjectSpec, content: dict[str, Any], rows: list[dict[str, A
     cheapest = min(halving, key=lambda remedy: (remedy.price, remedy.minutes), default=None)
     best = cheapest or min(better, key=lambda remedy: better[remedy])
     effect = "This halves it" if cheapest else "No change tried halves it; the best"
-    return f"{text}. {effect}: {_joined(best.changes)} ({better[best]:.2g} mm)"
+    return f"{text}. {effect}: {_joined(best.changes)} (edges then {better[best]:.2g} mm)"
 
 
 def worst_edge_text(spec: ObjectSpec, scores: PlaceScores, content: dict[str, Any]) -> str:
@@ -195,26 +203,38 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         GO if verdict.go else NO_GO: (
             f"{good} for the use {spec.limits.use!r}{failed}; {located_text(spec, scores)}"
         ),
-        "judged on": f"{verdict.covered:.0%} of the sensed surface, by {_tip_text(spec)}; {built}",
+        "judged on": (
+            f"{verdict.covered:.0%} of the sensed surface, by {tip_text(spec)} (pads and jaws: instobj docs "
+            f"start); {built}"
+        ),
+        **_mesh_line(spec, results),
         "limited by": verdict.limited_by,
         "edges": edge_text(edges := WEAK_AREAS.read(results["weak_areas"].folder)),
     }
     if "alternatives" in results:
-        rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
+        content = ALTERNATIVES.read(results["alternatives"].folder)
+        rows = content["alternatives"]
         lines["edges"] = edges_text(spec, edges, rows)
         lines["what to change"] = decision(
-            remedies(spec, rows), verdict.go, further_text(spec, rows)
+            remedies(spec, rows), verdict.go, further_text(spec, rows, content["next_options"])
         )
     lines["edges"] += worst_edge_text(spec, scores, edges)
     return lines
 
 
-def _tip_text(spec: ObjectSpec) -> str:
-    """Return what presses, and where it is said which figures hold for other pads and jaws."""
+def _mesh_line(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
+    error = None
+    if "discretisation" in results:
+        error = DISCRETISATION.read(results["discretisation"].folder)
+    text = coarse_mesh_text(spec, error)
+    return {"mesh": text} if text else {}
+
+
+def tip_text(spec: ObjectSpec) -> str:
+    """Return what presses, in words."""
     tip = spec.indenter
-    ball = f"a tip of {tip.radius_mm:g} mm radius"
-    pressed = ball if tip.kind == "hemisphere" else f"the indenter ({tip.kind})"
-    return f"{pressed} (pads and jaws: instobj docs start)"
+    ball = f"a round tip of {tip.radius_mm:g} mm radius"
+    return ball if tip.kind == "hemisphere" else f"the indenter ({tip.kind})"
 
 
 def _above(ratio: float) -> str:
@@ -255,16 +275,19 @@ def decision(candidates: list[Remedy], go: bool, further: str = "") -> str:
     return f"None of the changes tried is enough, alone or with others. {helps}{further}"
 
 
-_HIGHER, _THINNER = 1.5, 0.75
-"""Height of magnets and thickness of a shell over those of the design, as the next to try."""
+def further_text(spec: ObjectSpec, rows: list[dict[str, Any]], options: Iterable[str] = ()) -> str:
+    """Return why a softer silicone is left out, and what to try next: other places, then `options` of
+    `instobj check` (`next_options`)."""
+    return "".join(f". {sentence}" for sentence in _further_sentences(spec, rows, options))
 
 
-def further_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
-    """Return why a softer silicone is left out, and what to try next: options that `instobj check` takes."""
-    options = " or ".join(filter(None, (_higher_magnets(spec), _thinner_shell(spec))))
-    then = f", then {options}" if options else ""
-    softer = _softer_text(spec, rows)
-    return f"{softer}. Next to try: other places (instobj optimize){then}"
+def _further_sentences(
+    spec: ObjectSpec, rows: list[dict[str, Any]], options: Iterable[str]
+) -> tuple[str, ...]:
+    text = " or ".join(options)
+    then = f", then {text}" if text else ""
+    next_text = f"Next to try: other places (instobj optimize){then}"
+    return tuple(filter(None, (_softer_text(spec, rows), next_text)))
 
 
 def softer_label(name: str) -> str:
@@ -296,48 +319,11 @@ def _softer_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
             f"this one ({_range_text(least_mpa, most_mpa)})"
         )
     why = "; ".join(reasons) or "the catalogue has none"
-    return f". Softer silicone is left out: {why}"
+    return f"Softer silicone is left out: {why}"
 
 
 def _range_text(low_mpa: float, high_mpa: float) -> str:
     return f"{low_mpa:g} to {high_mpa:g} MPa" if low_mpa < high_mpa else f"{low_mpa:g} MPa"
-
-
-def _higher_magnets(spec: ObjectSpec) -> str:
-    """Return options for magnets half as high again; nothing where `instobj check` refuses them."""
-    height_mm = spec.magnets.height_mm
-    if isinstance(height_mm, tuple):
-        return ""
-    height_mm = round(_HIGHER * height_mm, 2)
-    fits = _passes_check(spec, {"magnets": {"height_mm": height_mm}})
-    return f"--set magnets.height_mm={height_mm:g}" if fits else ""
-
-
-def _thinner_shell(spec: ObjectSpec) -> str:
-    """Return options for a shell a quarter thinner, pressed as deep as it allows; nothing where it cannot be
-    pressed deep enough or `instobj check` refuses it."""
-    thickness_mm, depths_mm = round(_THINNER * spec.shell.thickness_mm, 2), spec.press.depths_mm
-    option = f"--set shell.thickness_mm={thickness_mm:g}"
-    # the deepest presses are left out one by one until the rest is taken; two depths are the fewest
-    for count in range(len(depths_mm), 1, -1):
-        kept = depths_mm[:count]
-        tables = {"shell": {"thickness_mm": thickness_mm}, "press": {"depths_mm": kept}}
-        if not _passes_check(spec, tables):
-            continue
-        if count == len(depths_mm):
-            return option
-        return f"{option} --set press.depths_mm=[{','.join(f'{depth:g}' for depth in kept)}]"
-    return ""
-
-
-def _passes_check(spec: ObjectSpec, tables: dict[str, dict[str, Any]]) -> bool:
-    """Return whether `instobj check` takes a specification with some keys changed."""
-    try:
-        changes = {name: getattr(spec, name).changed(**keys) for name, keys in tables.items()}
-        checked_rest_counts(check(spec.changed(**changes)))
-    except ValueError:
-        return False
-    return True
 
 
 def _joined(changes: tuple[str, ...]) -> str:

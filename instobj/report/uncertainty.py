@@ -31,6 +31,23 @@ def error_text(content: dict[str, Any]) -> str:
     )
 
 
+def coarse_mesh_text(spec: ObjectSpec, content: dict[str, Any] | None) -> str:
+    """Return that edges of the mesh are longer than the usual ones, and how far motions may be off by the
+    discretisation error where it is known; nothing where they are not longer."""
+    usual, mesh = type(spec.mesh)(), spec.mesh
+    longer = [
+        f"{getattr(mesh, key):g} instead of {getattr(usual, key):g} mm"
+        for key in ("edge_mm", "surface_edge_mm")
+        if getattr(mesh, key) > getattr(usual, key)
+    ]
+    if not longer:
+        return ""
+    worst = [step["motion_worst"] for step in content["steps"]] if content else []
+    shares = [share for share in worst if share is not None]
+    off = f"motions up to {100 * max(shares):.0f} % off" if shares else "motions less exact"
+    return f"coarse, edges of {', '.join(longer)}: {off}; confirm with the usual edges, without --set mesh"
+
+
 def error_rows(content: dict[str, Any]) -> list[list[str]]:
     """A row of `HEADER` for every depth."""
     return [

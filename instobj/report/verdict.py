@@ -166,8 +166,23 @@ def located_text(spec: ObjectSpec, scores: PlaceScores) -> str:
         f"the {judged}contact locations, {most} at 95 % of them, and {worst} at the worst, which is "
         f"{place_text(spec, weakest.face, (weakest.x_mm, weakest.y_mm))}. "
         f"{percent_text(float(np.mean(bound <= limit)))} of the {judged}locations keep the limit of "
-        f"{limit:g} mm"
+        f"{limit:g} mm{_reading_text(scores)}"
     )
+
+
+_NOTABLE = 0.1
+"""Share of the judged locations that are read worse than their bound, from which the head says so; ours."""
+
+
+def _reading_text(scores: PlaceScores) -> str:
+    """Say how far maximum likelihood errs where it is worse than the bound at many locations."""
+    count, judged = int(scores.misread.sum()), int(scores.judged.sum())
+    if count < _NOTABLE * judged:
+        return ""
+    error_mm = bound_of_most(scores.position_error_mm[scores.judged])
+    error = f"{error_mm:.2g} mm" if np.isfinite(error_mm) else "not at all"
+    reading = f"{error} at 95 % of all, by maximum likelihood"
+    return f". {count} of {judged} are read worse than the bound: {reading}"
 
 
 _MIDDLE, _OUTER = 1 / 3, 2 / 3

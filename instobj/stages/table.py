@@ -313,7 +313,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=13,
+        version=14,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
@@ -353,7 +353,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=29,
+        version=30,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

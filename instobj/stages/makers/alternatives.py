@@ -29,6 +29,7 @@ from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
 from instobj.report.remedies import softer_label
 from instobj.report.verdict import worst_ratio
+from instobj.stages.makers.next_options import next_options
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
 
@@ -68,7 +69,11 @@ def make_alternatives(context: StageContext, folder: Path) -> None:
     signals = SIGNALS.read(context.inputs["signals"])
     presses = PRESSES.path(context.inputs["presses"])
     rows = alternatives(context.spec, signals, presses, context.step)
-    write_json({"alternatives": [asdict(row) for row in rows]}, ALTERNATIVES.path(folder))
+    content = {
+        "alternatives": [asdict(row) for row in rows],
+        "next_options": next_options(context.spec),
+    }
+    write_json(content, ALTERNATIVES.path(folder))
 
 
 def alternatives(
@@ -161,8 +166,9 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
     return _with_sensors(spec, noise_counts=(x, y, z))
 
 
-def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
-    """On the same ring; where each sensor has a place, on a pattern of as many that fits."""
+def with_more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
+    """Return a specification with sensors added on every face: on the same ring; where each sensor has a
+    place, on a pattern of as many that fits. An error where none does."""
     sensors, count = spec.sensors, spec.sensors.count_per_face + added
     if sensors.positions_mm is None:
         return _with_sensors(spec, count_per_face=count)
@@ -224,8 +230,8 @@ def changes_of(spec: ObjectSpec) -> dict[str, Change]:
 
 _CHANGES: dict[str, Change] = {
     "mean of four frames in your own program (sensors.noise_counts halved, a quarter of the rate)": _quieter,
-    "one more sensor on every face": partial(_more_sensors, 1),
-    "two more sensors on every face": partial(_more_sensors, 2),
+    "one more sensor on every face": partial(with_more_sensors, 1),
+    "two more sensors on every face": partial(with_more_sensors, 2),
     f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,
 }
 _MORE_SENSORS = {"one more sensor on every face", "two more sensors on every face"}

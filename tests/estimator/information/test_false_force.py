@@ -33,6 +33,12 @@ def test_a_press_is_taken_for_itself_and_half_of_two_for_what_lies_between():
     assert false_force_n(SPEC, signals(), 0 * delta[0]) == 0
 
 
+def test_a_false_force_ends_at_the_deepest_press():
+    """Five times the counts of a jaw gave the same false force in a box: nothing deeper is known."""
+    deepest, force_n = signals().delta_counts[1, 7, -1], signals().force_n[1, 7, -1]
+    assert_allclose(false_force_n(SPEC, signals(), 1.5 * deepest), force_n)
+
+
 def test_jaws_of_steel_pull_and_press_and_those_of_aluminium_and_plastic_do_not():
     effects = jaw_effects(SPEC, on_springs(), signals())
     steel, away, aluminium, plastic = effects

@@ -50,7 +50,7 @@ TEXTS = (
         "unreached",
         "decision",
     ),
-    *("weak_text", "edge_text", "located", "delta"),
+    *("weak_text", "edge_text", "located", "delta", "tip", "coarse_mesh"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 PICTURES += ("weak_picture", "delta_map", "compliance")
@@ -116,11 +116,11 @@ def test_files_beside_the_page_are_linked(tmp_path):
 
 def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
     content = {
-        "decision": "Take magnets of N52",
+        "decision": ("Take magnets of N52", "Next to try: other places"),
         "delta": "4.1",
     }
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
-    assert "Take magnets of N52" in told.split("Press it")[0]
+    assert "Take magnets of N52. Next to try: other places." in told.split("Press it")[0]
     before, after = told.split("Convex-hull sensitivity δ", 1)
     assert "δ" not in before
     assert "Median: 4.1 counts 9 /N" in after
@@ -158,7 +158,7 @@ def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
     content = dict.fromkeys(tables, rows) | dict.fromkeys(records, named_rows)
     content |= {
         "settings": ["[sensors]", "count_per_face = 4"],
-        "decision": "Helps most alone: one more sensor (+15 € for parts, +75 min by hand)",
+        "decision": ("Helps most alone: one more sensor (+15 € for parts, +75 min by hand)",),
         "edge_text": "1.5 times as uncertain as the middle",
         "cross_face_force_n": 10.0,
         "surroundings": " ".join(f"{number} counts" for number in range(100)),

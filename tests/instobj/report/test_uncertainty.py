@@ -5,6 +5,7 @@ from estimator.tolerances.result import BoundRange, Robustness, Spread
 from estimator.tolerances.saturation import Saturation
 from instobj.report.uncertainty import (
     HEADER,
+    coarse_mesh_text,
     error_note,
     error_rows,
     error_text,
@@ -35,6 +36,19 @@ CONTENT = {
 def test_the_headline_is_that_of_half_the_deepest_press():
     assert error_text(CONTENT) == "force ±1.2 %, motions ±0.8 % at 2 mm"
     assert summary_of(CONTENT)["estimate"] == error_text(CONTENT)
+
+
+def test_a_coarser_mesh_than_the_usual_one_says_how_far_motions_may_be_off():
+    """A preview's verdict read as that of the usual mesh."""
+    assert coarse_mesh_text(SPEC, CONTENT) == ""
+    finer = SPEC.changed(mesh={"edge_mm": 3.0})
+    assert coarse_mesh_text(finer, CONTENT) == ""
+    coarse = SPEC.changed(mesh={"edge_mm": 6.0, "surface_edge_mm": 2.5})
+    text = coarse_mesh_text(coarse, CONTENT)
+    assert text.startswith("coarse, edges of 6 instead of 4 mm, 2.5 instead of 1.7 mm: ")
+    assert "motions up to 5 % off" in text, "the worst over the depths"
+    assert "less exact" in coarse_mesh_text(coarse, None)
+    assert "less exact" in coarse_mesh_text(coarse, CONTENT | {"steps": STEPS[:1]})
 
 
 def test_a_missed_contact_is_said_and_shown_as_a_dash():

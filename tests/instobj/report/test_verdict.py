@@ -1,5 +1,7 @@
 """The verdict: figures against their limits, and what limits the object."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -46,6 +48,22 @@ def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
     assert scores.exceeds_bound
     assert f". {scores.exceeds_bound}" in place.where
     assert not any("maximum likelihood" in check.where for check in others)
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.3, True), (0.02, False)])
+def test_the_head_gives_readings_that_are_worse_than_the_bound_at_many_locations(share, said):
+    """Bounds of 0.8 mm stood there alone, where readings erred by 6 mm."""
+    spec = coarse_spec(contact_grid={"count": (8, 8), "pitch_mm": 3.0}, score={"force_n": 4.0})
+    scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
+    error_mm = scores.position_bound_mm.copy()
+    count = round(share * scores.judged.sum())
+    face, place = np.argwhere(scores.judged)[:count].T
+    error_mm[face, place] = 6.0 + error_mm.max()
+    scores = replace(scores, position_error_mm=error_mm)
+    text, row = verdict.located_text(spec, scores), verdict.score_rows(scores)[2]
+    reading = f"{row['95 % below']:.2g} mm at 95 % of all"
+    sentence = f"{count} of {scores.judged.sum()} are read worse than the bound: {reading}"
+    assert (sentence in text) == said == ("read worse" in text)
 
 
 def test_locations_that_are_not_judged_cover_nothing():
