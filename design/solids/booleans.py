@@ -32,7 +32,7 @@ FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
 """True where exact solids are made triangles in every operation."""
-_triangles: WeakKeyDictionary[cq.Shape, tuple[tuple[float, float], trimesh.Trimesh]] = (
+_TRIANGLES_OF: WeakKeyDictionary[cq.Shape, tuple[tuple[float, float], trimesh.Trimesh]] = (
     WeakKeyDictionary()
 )
 """Fineness (mm and rad) and triangles of solids that `exact_or_triangles` looked at."""
@@ -60,7 +60,7 @@ def exact_or_triangles(make: Callable[[], Solid], fineness: tuple[float, float])
         return solid
     # of a copy: triangles that a solid keeps widen its box
     surface = convert_to_triangles(solid.copy(), fineness, False)
-    _triangles[solid] = fineness, surface
+    _TRIANGLES_OF[solid] = fineness, surface
     if not _is_folded(surface):
         return solid
     try:
@@ -199,7 +199,7 @@ def convert_to_triangles(
     (rad); what consists of triangles is returned."""
     if not isinstance(shape, cq.Shape):
         return shape
-    of_fineness, judged = _triangles.get(shape, (None, None))
+    of_fineness, judged = _TRIANGLES_OF.get(shape, (None, None))
     if judged is not None and of_fineness == fineness and not relative:
         return judged.copy()
     if not relative:

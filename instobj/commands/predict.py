@@ -122,7 +122,10 @@ def predict_file(
         "force interval should hold": model.interval_cover,
         **_measured_cover(labels, model.face),
     }
-    cause = "" if labelled is None else _more_tips_text(model_path, model.face, labelled)
+    unexplained = is_unexplained(novel, len(rows))
+    cause = ""
+    if unexplained and labelled is not None:
+        cause = _more_tips_text(model_path, model.face, labelled)
     texts = [*texts, *unexplained_text(path, novel, len(rows), cause)]
     tables: dict[str, list[dict[str, Any]]] = {f"{path.name}, {model_path.name}": [summary]}
     if labelled is not None and labels is not None and labels.rows:
@@ -139,7 +142,7 @@ def predict_file(
             judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
             texts += _simpler_text(judged)
         texts += _novel_text(path, labels)
-        rival = " beside a simple regression" if len(judged) > 1 else ""
+        rival = " beside simple regressions" if len(judged) > 1 else ""
         tables[f"against the labels of {path.name}{rival}, frames pressed on face {model.face}"] = (
             judged
         )
@@ -149,11 +152,7 @@ def predict_file(
         "tables": tables,
         "files": file_rows([target]),
         "next": next_step(
-            "predict several tips"
-            if cause
-            else "predict unexplained"
-            if is_unexplained(novel, len(rows))
-            else "predict"
+            "predict several tips" if cause else "predict unexplained" if unexplained else "predict"
         ),
     }
 
@@ -170,7 +169,7 @@ def _more_tips_text(model_path: Path, face: int, frames: FrameSet) -> str:
         return ""
     trained = f"up to {trained_tips}" if trained_tips > 1 else "one"
     return (
-        f"The cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network was "
+        f"A likely cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network was "
         f"trained on {trained}. It reads one contact a face. Its place error is the distance from the "
         "labelled centre of force of the tips"
     )
@@ -295,7 +294,7 @@ def _errors_row(
 def _simple_rows(
     model: DeployedModel, training: Path, frames: FrameSet, labels: _PressedLabels
 ) -> list[dict[str, Any]]:
-    """Return errors of the simple regression that errs least in force, fitted to the data set of the model.
+    """Return errors of simple regressions that are fitted to the data set of the model, least in force first.
 
     No row without a data set that shows the face, and on a robot, which has no libraries to fit with.
     """
@@ -323,7 +322,7 @@ def _simple_rows(
     except InputError:  # the data set in the folder is of another object or face
         return []
     rows = [_errors_row(answer.name, judged, answer.force_n, answer.xy_mm) for answer in answers]
-    return [min(rows, key=lambda row: row["force error, median N"])]
+    return sorted(rows, key=lambda row: row["force error, median N"])
 
 
 def _labelled(path: Path) -> FrameSet | None:

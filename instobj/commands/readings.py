@@ -283,8 +283,6 @@ def unexplained_text(path: Path, unexplained: int, frames: int, cause: str = "")
             f"{path.name}: nothing that the estimator knows explains {unexplained} of {frames} frames "
             f"({100 * unexplained / frames:.0f} %); do not believe these. {why}"
         )
-    elif cause:
-        texts.append(f"{path.name}: {cause}")
     return texts
 
 
