@@ -169,8 +169,8 @@ def _more_tips_text(model_path: Path, face: int, frames: FrameSet) -> str:
         return ""
     trained = f"up to {trained_tips}" if trained_tips > 1 else "one"
     return (
-        f"A likely cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network was "
-        f"trained on {trained}. It reads one contact a face. Its place error is the distance from the "
+        f"A likely cause: this recording has up to {_TIPS.get(tips, tips)} tips on face {face}; the network "
+        f"was trained on {trained}. It reads one contact a face. Its place error is the distance from the "
         "labelled centre of force of the tips"
     )
 
@@ -405,7 +405,9 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
         _export(path, target)
     document: dict[str, Any] = {"command": "export", "files": file_rows([*targets.values()])}
     first, exported = next(iter(targets.items()))
-    if not _inverts(first):
+    if _inverts(first):
+        document["next"] = next_step("predict")
+    else:
         runs_out = first.parent.parent.parent  # predictions go to the same folder
         is_run = run_folder(runs_out, first.parent.name) == first.parent
         kept = ["--out", str(runs_out)] if is_run and runs_out != Path() else []

@@ -285,7 +285,7 @@ def _further_sentences(
     spec: ObjectSpec, rows: list[dict[str, Any]], options: Iterable[str]
 ) -> tuple[str, ...]:
     text = " or ".join(options)
-    then = f", then {text}" if text else ""
+    then = f", then {text} (by a forecast: confirm by instobj score)" if text else ""
     next_text = f"Next to try: other places (instobj optimize){then}"
     return tuple(filter(None, (_softer_text(spec, rows), next_text)))
 
