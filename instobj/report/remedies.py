@@ -130,9 +130,11 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
         ]
         table.append([_joined(remedy.changes), *figures[remedy.changes], *more])
     first = None if go else first_change(candidates)
-    further = _further_sentences(spec, rows, content.get("next_options", ()))
+    further: tuple[str, ...] = ()
+    if not (go or (first and first.turns)):
+        further = _further_sentences(spec, rows, content.get("next_options", ()))
     return {
-        "decision": (decision(candidates, go), *(() if go else further)),
+        "decision": (decision(candidates, go), *further),
         "settings": first.settings if first else (),
         "alternatives": table,
     }

@@ -230,8 +230,12 @@ def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
     return True
 
 
+_QUIET_SHARE = 0.25
+"""Share of the time since the start that passes between two lines on how far a run is."""
+
+
 class WorkersProgress:
-    """Says how many stages are made, at most every few seconds, and each failure."""
+    """Says how many stages are made, ever more seldom, and each failure."""
 
     def __init__(self, count: int, say: Say) -> None:
         self._count, self._say = count, say
@@ -249,7 +253,9 @@ class WorkersProgress:
         if outcome["error"]:
             self._say(f"{task.spec.name}: {outcome['error']}")
         now = time.monotonic()
-        if now - self._said < NEWS_EVERY_S and self._finished < self._count:
+        # after a quarter of the time so far: a run of any length says some ten times how far it is
+        quiet_s = max(NEWS_EVERY_S, _QUIET_SHARE * (now - self._began))
+        if now - self._said < quiet_s and self._finished < self._count:
             return
         self._said = now
         seconds_left = (now - self._began) / self._finished * (self._count - self._finished)

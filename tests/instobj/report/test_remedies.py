@@ -140,6 +140,15 @@ def test_why_a_softer_silicone_is_left_out_is_said():
     assert few not in decision(found, go=True, further=few)
 
 
+def test_the_page_names_what_to_try_next_only_where_no_change_is_enough():
+    better, enough = (
+        remedies_section(SPEC, {"alternatives": [START, row(("b",), bound_mm=bound)]}, go=False)
+        for bound in (3.0, 1.0)
+    )
+    assert any("Next to try" in sentence for sentence in better["decision"])
+    assert enough["decision"] == ("Turns it into a go: b (no more magnets or sensors)",)
+
+
 def test_a_set_that_comes_nearer_is_named_beside_the_change_that_helps_most():
     """Two more sensors left a cylinder at 2.58 times the limit; with four frames each it was 1.78."""
     rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0), row(("a", "b"), 2.5)]
