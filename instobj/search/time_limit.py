@@ -21,8 +21,8 @@ _CHAINS = 2
 """The start and a finalist."""
 _LONG_STEPS = 3
 """Steps after the trials that take about as long as mechanics of the lowest level, each with contact at every
-location: the second level of the start and of a leader, and the chain of a finalist. Measured on a box of
-60 × 45 × 40 mm: mechanics 133 s, second level 115 s, chain 140 to 180 s."""
+location: the second level of the start and of a leader, and the chain of a finalist. Measured on one box
+alone (60 × 45 × 40 mm): mechanics 133 s, second level 115 s, chain 140 to 180 s."""
 _QUICKER = 2.0
 """Than estimated, at most: estimates hold within half to twice."""
 FIRST_LOOK_S = 10.0

@@ -22,6 +22,9 @@ _BUDGET = ("trials", "seconds", "finalists", "polish_steps")
 """Keys of `[search]` that may change while a search goes on."""
 _MATTERS_NOT = ("name", "as_built", "collection")
 """The first line holds the name; the others change no score on any level."""
+_LOWEST_LEVEL = 2
+"""Version of the lowest level's scores: raise it when they change, so that trials of both are not mixed.
+2: bounds of coarse grids, which were 0.41 to 0.93 times too small."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +72,7 @@ class KeptTrials:
     path: Path
     trials: list[Trial] = field(default_factory=list)
     _length: int = 0
+    _head: bytes = b""
 
     @property
     def finished(self) -> list[Trial]:
@@ -89,8 +93,11 @@ class KeptTrials:
 
     def _append(self, lines: str) -> None:
         try:
-            with self.path.open("ab") as stream:
-                if stream.tell() != self._length:
+            with self.path.open("a+b") as stream:
+                length = stream.seek(0, os.SEEK_END)
+                stream.seek(0)
+                # a search of another specification, begun meanwhile, has a head as long
+                if length != self._length or stream.read(len(self._head)) != self._head:
                     raise InputError(
                         f"another process works on the search in {self.path}. Wait for its end, then go "
                         "on with --resume"
@@ -109,7 +116,8 @@ class KeptTrials:
 def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrials:
     """Begin the file of this specification's search, or with `resume` read the one that is there.
 
-    A file without a trial, left by a search that was broken off, is begun again.
+    A file without a trial is gone on with where it is of this specification, as another process may make its
+    mechanics; else, left by a search that was broken off, it is begun again.
 
     Raises
     ------
@@ -118,6 +126,7 @@ def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrial
         none), or it is one of another specification.
     """
     head = {"search": spec.name, "specification": search_key(spec)}
+    first_line = json.dumps(head) + "\n"
     try:
         has_search = path.is_file() and path.stat().st_size > 0
         if has_search and not resume and read_trials(path):
@@ -127,7 +136,7 @@ def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrial
             )
         if resume and not has_search:
             raise InputError(f"{path} holds no search to resume. Leave --resume out to start one")
-        if has_search and resume:
+        if has_search and (resume or path.read_bytes().startswith(first_line.encode())):
             return _read(path, head)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(b"")
@@ -136,12 +145,16 @@ def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrial
             f"cannot keep a search in {path}: {error.strerror}. Make room, or give another --out"
         ) from error
     kept = KeptTrials(path)
-    kept._append(json.dumps(head) + "\n")
+    kept._append(first_line)
+    kept._head = first_line.encode()
     return kept
 
 
 def search_key(spec: ObjectSpec) -> str:
-    """SHA-256 of what scores on any level depend on; only the budget of the search may change."""
+    """SHA-256 of what scores on any level depend on; only the budget of the search may change.
+
+    The version of the lowest level's scores counts too.
+    """
     alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))  # defaults like what was read
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
@@ -149,7 +162,8 @@ def search_key(spec: ObjectSpec) -> str:
     if spec.limits.use != "bench":
         # Figures of a use stand next to it; "bench" alone changes bounds besides.
         del content["limits"]["use"]
-    return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
+    kept = {name: part for name, part in content.items() if name not in _MATTERS_NOT}
+    return content_key(kept | {"lowest level": _LOWEST_LEVEL})
 
 
 def read_trials(path: Path) -> list[Trial]:
@@ -191,7 +205,7 @@ def _read(path: Path, head: dict[str, str]) -> KeptTrials:
     if whole < len(content):
         with path.open("r+b") as stream:
             stream.truncate(whole)
-    return KeptTrials(path, trials, whole)
+    return KeptTrials(path, trials, whole, content[: content.find(b"\n") + 1])
 
 
 def _trial(values: list[float], **others: Any) -> Trial:
@@ -220,7 +234,7 @@ def _require_same(path: Path, kept: dict[str, str], head: dict[str, str]) -> Non
     was, now = kept["specification"], head["specification"]
     if was != now:
         raise InputError(
-            f"{path} holds a search of another specification named {head['search']!r} ({was[:12]}, now "
-            f"{now[:12]}): its trials cannot be compared. Undo the change (only the budget of [search] "
-            "may change), or give the specification another name"
+            f"{path} holds a search of another specification named {head['search']!r}, or of an earlier "
+            f"version ({was[:12]}, now {now[:12]}): its trials cannot be compared. Undo the change (only the "
+            "budget of [search] may change), or give the specification another name"
         )

@@ -313,7 +313,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=14,
+        version=15,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

@@ -36,12 +36,14 @@ class History:
 def search_history(space: SearchSpace, kept: KeptTrials) -> History:
     """Collect the objectives of all finished trials, and those of the start."""
     names, finished = space.spec.search.objectives, kept.finished
-    start = start_scores(space.spec)
+    # every trial holds them; those of versions that kept none are scored again
+    of_trials = (trial.start_scores for trial in finished if trial.start_scores)
+    start = next(of_trials, None) or start_scores(space.spec).scores
     return History(
         names,
         np.array([[trial.scores[name] for name in names] for trial in finished]),
         np.array([trial.feasible for trial in finished]),
-        np.array([start.scores[name] for name in names]),
+        np.array([start[name] for name in names]),
         np.cumsum([trial.scorings for trial in finished]),
     )
 

@@ -16,6 +16,7 @@ from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES, softer_silicones
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
+from design.layout.places.contact_places import contact_places
 from design.layout.places.measures import place_measures
 from design.layout.pockets import lists_of_sensed_faces
 from design.placement.patterns import sensor_patterns
@@ -28,7 +29,7 @@ from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
 from instobj.report.remedies import softer_label
-from instobj.report.verdict import worst_ratio
+from instobj.report.verdict import LEAST_REACHED, worst_ratio
 from instobj.stages.makers.next_options import next_options
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from instobj.store.stage import StageContext, write_json
@@ -69,9 +70,12 @@ def make_alternatives(context: StageContext, folder: Path) -> None:
     signals = SIGNALS.read(context.inputs["signals"])
     presses = PRESSES.path(context.inputs["presses"])
     rows = alternatives(context.spec, signals, presses, context.step)
+    # of a go nothing has to change: no option is shown, so none is forecast
+    reached = reached_places(context.spec, signals).sum() / contact_places(context.spec).sum()
+    go = _keeps_limits(context.spec, rows[0]) and reached >= LEAST_REACHED
     content = {
         "alternatives": [asdict(row) for row in rows],
-        "next_options": next_options(context.spec),
+        "next_options": [] if go else next_options(context.spec),
     }
     write_json(content, ALTERNATIVES.path(folder))
 
@@ -167,11 +171,11 @@ def _quieter(spec: ObjectSpec) -> ObjectSpec:
 
 
 def with_more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
-    """Return a specification with sensors added on every face: on the same ring; where each sensor has a
-    place, on a pattern of as many that fits. An error where none does."""
+    """Return a specification with sensors added on every face, checked: on the same ring; where each sensor
+    has a place, on a pattern of as many that fits. An error where none does."""
     sensors, count = spec.sensors, spec.sensors.count_per_face + added
     if sensors.positions_mm is None:
-        return _with_sensors(spec, count_per_face=count)
+        return check(_with_sensors(spec, count_per_face=count))
     in_core = spec.arrangement == "sensors-in-core"
     frames = core_frames(spec) if in_core else face_frames(spec)
     halves = [np.array(frame.half_extents_mm) for frame in frames]

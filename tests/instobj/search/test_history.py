@@ -1,5 +1,6 @@
 """What a search's history holds, without any mechanics."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 from numpy.testing import assert_allclose
@@ -25,3 +26,11 @@ def test_trials_stand_in_their_order_with_the_layouts_scored_until_then(monkeypa
     assert found.feasible.tolist() == [True, False]
     assert_allclose(found.values, [[2.0, 20.0], [1.5, 15.0]])
     assert_allclose(found.start, [2.0, 2.0])
+
+
+def test_the_start_is_not_scored_again_where_trials_hold_its_scores():
+    """Without mechanics it could not be."""
+    start = dict.fromkeys(OBJECTIVES, 3.0)
+    kept = SimpleNamespace(finished=[replace(trial(2.0), start_scores=start), trial(1.5)])
+    found = history.search_history(made_up_space(objectives=list(OBJECTIVES)), kept)
+    assert_allclose(found.start, [3.0, 3.0])

@@ -1,5 +1,6 @@
 """The loop of a search: what it draws, what it keeps, and what it survives."""
 
+import json
 import os
 import signal
 import subprocess
@@ -16,7 +17,7 @@ from design.search.space import structure_of
 from design.spec_io import parse_spec
 from instobj.search.apart import WorkerTimeout, answers
 from instobj.search.loop import drawn_start, run_search
-from instobj.search.trials import failed_trial, open_trials
+from instobj.search.trials import failed_trial, open_trials, read_trials
 from instobj.stages.workers import open_workers
 from tests.support.objects.search_cases import (
     answering,
@@ -27,6 +28,7 @@ from tests.support.objects.search_cases import (
 )
 
 HERE = Path(__file__).parent
+EARLIER_KEY = "5a723d12a6417d1413664331f0fcf1240d5a75a3606691cca907cea0cd68f1ff"
 OPTIMUM = {"magnet1_x_mm": 5.0, "magnet1_y_mm": -3.0}
 
 
@@ -82,6 +84,41 @@ def test_a_search_broken_off_before_its_first_trial_simply_begins_again(tmp_path
     run_search(made_up_space(trials=16), begun, answering(made_up_score), lambda line: None)
     assert len(begun.trials) == 16
     assert open_trials(made_up_space().spec, path, resume=True).trials == begun.trials
+
+
+def test_a_second_search_begun_before_the_first_trial_leaves_the_first_ones_file(tmp_path):
+    """Mechanics take minutes: it emptied the file, and both added trials."""
+    path = tmp_path / "trials.jsonl"
+    first = open_trials(made_up_space().spec, path)
+    head = path.read_bytes()
+    second = open_trials(made_up_space().spec, path)
+    assert path.read_bytes() == head
+    first.keep([failed_trial(0, {}, "a first")])
+    with pytest.raises(InputError, match="another process"):
+        second.keep([failed_trial(0, {}, "a second")])
+    assert read_trials(path) == first.trials
+
+
+def test_trials_are_not_added_to_a_search_of_another_specification_begun_meanwhile(tmp_path):
+    path = tmp_path / "trials.jsonl"
+    first = open_trials(made_up_space(reach=13.0).spec, path)
+    second = open_trials(made_up_space().spec, path)
+    with pytest.raises(InputError, match="another process"):
+        first.keep([failed_trial(0, {}, "of another specification")])
+    second.keep([failed_trial(0, {}, "of this one")])
+    assert read_trials(path) == second.trials
+
+
+def test_trials_that_an_earlier_lowest_level_scored_are_not_mixed_in(tmp_path):
+    """Its bounds were too small, so that its trials won. This is the key that it gave this search."""
+    path = tmp_path / "trials.jsonl"
+    searched(path, trials=16)
+    head, *trials = path.read_text().splitlines(keepends=True)
+    now = json.loads(head)["specification"]
+    path.write_text("".join([head.replace(now, EARLIER_KEY), *trials]))
+    assert now != EARLIER_KEY
+    with pytest.raises(InputError, match="or of an earlier version"):
+        open_trials(made_up_space().spec, path, resume=True)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """What the report tries next: valid where magnets have a grade or sensors have places."""
 
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,11 +9,18 @@ import pytest
 from design.errors import InputError
 from design.spec_io import load_spec, parse_spec
 from estimator.information.scores import place_bounds
-from instobj.stages.makers.alternatives import alternatives, changes_of, settings_of, with_forces
+from instobj.stages.makers.alternatives import (
+    alternatives,
+    changes_of,
+    settings_of,
+    with_forces,
+    with_more_sensors,
+)
 from instobj.stages.run import Run
-from instobj.store.readers import PRESSES, SIGNALS
+from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
 from tests.support.objects.tiny_cube import lend_mechanics, tiny_cube
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 CUBE = parse_spec({"name": "cube"}, "test")
 
 
@@ -62,6 +70,26 @@ def test_one_more_sensor_finds_places_where_each_has_one(count):
     assert [len(face) for face in more] == [count + 1] * 3
     if count == 3:
         assert np.hypot(*np.array(more[0]).T) == pytest.approx(7.0)
+
+
+@pytest.mark.parametrize(("example", "added"), [("pear", 2), ("paper_cube", 4)])
+def test_more_sensors_on_a_ring_without_room_are_refused(example, added):
+    """Boards met: the lines that `new` gave to copy were refused."""
+    spec = load_spec(EXAMPLES / f"{example}.toml", [])
+    assert spec.sensors.positions_mm is None
+    with pytest.raises(InputError, match="board"):
+        with_more_sensors(added, spec)
+
+
+@pytest.mark.parametrize("limit_mm", [100.0, 0.001])
+def test_no_option_is_forecast_for_a_go(limit_mm, tmp_path):
+    """Nothing has to change, so none is shown."""
+    lend_mechanics(tmp_path)
+    spec = tiny_cube()
+    limits = {"position_bound_mm": limit_mm, "detectable_force_n": 100.0}
+    run = Run(spec.changed(limits=spec.limits.changed(**limits)), root=tmp_path)
+    content = ALTERNATIVES.read(run.require("alternatives").folder)
+    assert (content["next_options"] == []) == (limit_mm > 1)
 
 
 @pytest.fixture(scope="module")

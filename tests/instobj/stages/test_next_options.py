@@ -4,6 +4,7 @@ import re
 
 from design.spec.object import ObjectSpec
 from design.spec_io import check, parse_spec, with_overrides
+from estimator.layouts import without_mesh
 from estimator.layouts.without_mesh import first_score
 from instobj.stages.makers.next_options import next_options
 
@@ -27,3 +28,25 @@ def test_options_are_taken_by_check_and_forecast_no_worse():
 def test_what_cannot_be_forecast_is_not_offered():
     turns = ((0.0, 0.0, 10.0),) * 3
     assert next_options(SPEC.changed(sensors=SPEC.sensors.changed(rotations_deg=turns))) == []
+
+
+def test_a_catalogued_part_stays_as_no_option_leaves_it_out():
+    """The file's part and the option's height would contradict each other."""
+    part = parse_spec({"name": "a", "magnets": {"part": "D6x1"}}, "a")
+    assert part.magnets.height_mm == SPEC.magnets.height_mm
+    assert not [option for option in next_options(part) if "magnets" in option]
+
+
+def test_the_design_itself_is_forecast_once(monkeypatch):
+    """It was once for every option."""
+    spec = check(SPEC.changed(press={"depths_mm": [0.5, 1.0]}))
+    forecast = list[ObjectSpec]()
+
+    def counted(given):
+        forecast.append(given)
+        return first_score(given)
+
+    monkeypatch.setattr(without_mesh, "first_score", counted)
+    next_options(spec)
+    assert len(forecast) == 3, "the design, higher magnets and a thinner shell"
+    assert forecast.count(spec) == 1
