@@ -266,7 +266,13 @@ def true_track(grasp: Grasped) -> ContactTrack:
     force = np.full((frames, 2, 3), np.nan)
     force[touched, :, 2] = grasp.force_n[touched, None]
     return ContactTrack(
-        grasp.time_s, face, xy, force, np.zeros((frames, 2, 5, 5)), np.ones(frames, bool)
+        grasp.time_s,
+        face,
+        xy,
+        force,
+        np.zeros((frames, 2, 5, 5)),
+        np.ones(frames, bool),
+        np.zeros(frames, bool),
     )
 
 

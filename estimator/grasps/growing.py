@@ -15,13 +15,12 @@ _MOST_FRAMES = 36_000
 class GrowingGrasps:
     """Finds and measures the grasps of contacts that grow, as `measured_grasps` does in whole recordings.
 
-    Only frames of the grasp that goes on, and one before it, are kept.
+    Only frames of the grasp that goes on, and one before it, are kept: its phases count from these.
     """
 
     def __init__(self, conditions: Conditions) -> None:
         self._conditions = conditions
         self.count = 0
-        self._passed, self._free = 0, 0
         self.forget()
 
     def forget(self) -> None:
@@ -36,7 +35,6 @@ class GrowingGrasps:
         if float(frame.total_n[0]) > HELD_N:
             self._held_s = time_s
         if self._held_s is None:
-            self._passed += len(self._frames) - 1
             self._frames = self._frames[-1:]
             return []
         if 0 <= time_s - self._held_s < PAUSE_S and len(self._frames) < _MOST_FRAMES:
@@ -45,19 +43,12 @@ class GrowingGrasps:
 
     def _ended(self) -> list[MeasuredGrasp]:
         """Measure what has ended, and begin again with the newest frame, in which nothing is held."""
-        track, first = ContactTrack.joined(self._frames), self._passed
-        newest = self._frames[-1]
+        track, newest = ContactTrack.joined(self._frames), self._frames[-1]
         self.forget()
-        self._frames, self._passed = [newest], first + len(track) - 1
+        self._frames = [newest]
         measured = []
         for grasp in find_grasps(track.time_s, track.total_n):
             self.count += 1
             numbered = replace(grasp, number=self.count)
-            figures = measured_grasp(track, numbered, self._conditions)
-            # frames are counted from the first that was ever read, as in a recording
-            ends = ("start", "hold", "release", "end")
-            moved = {name: getattr(grasp, name) + first for name in ends}
-            placed = replace(numbered, approach=self._free, **moved)
-            self._free = placed.end
-            measured.append(replace(figures, grasp=placed))
+            measured.append(measured_grasp(track, numbered, self._conditions))
         return measured

@@ -167,7 +167,7 @@ def measured_grasp(track: ContactTrack, grasp: Grasp, conditions: Conditions) ->
         "peak_n": _spread(float(part.total_n[window].mean()), float(top.total_sigma_n[0])),
         "mean_n": _spread(float(held.total_n.mean()), float(mean.total_sigma_n[0])),
         "finger_n": max((top for _, top in faces.values()), key=lambda reading: reading.value),
-        **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
+        **_with_intervals(at_peak, rng, partial(_peak_figures, conditions, bool(top.jaws[0]))),
         **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hull_figures, conditions), _HULL_DRAWS),
         "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions, pull)),
@@ -244,10 +244,12 @@ def _draws(contacts: Placed, rng: np.random.Generator, count: int = _DRAWS) -> l
     return contacts.drawn(pairs[:, :-1].reshape(len(pairs), -1, 5), pairs[:, -1])
 
 
-def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
+def _peak_figures(conditions: Conditions, jaws: bool, contacts: Placed) -> dict[str, float]:
     skin = conditions.skin
-    return {
-        "grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts)))),
+    strength = {"grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts))))}
+    if jaws:  # the skin is known under round tips alone
+        return strength | dict.fromkeys(("pressure_mpa", "depth_mm", "energy_mj"), UNKNOWN)
+    return strength | {
         "pressure_mpa": float(skin.pressure_mpa(contacts).max(initial=0.0)),
         "depth_mm": float(skin.depth_mm(contacts).max(initial=0.0)),
         "energy_mj": float(skin.energy_mj(contacts).sum()),

@@ -22,7 +22,7 @@ deviation has 0.37 of the efficiency of a root mean square (Rousseeuw & Croux, J
 differences have 2/3 of that of deviations (von Neumann, Ann. Math. Stat. 12, 1941)."""
 _SHARES = (np.arange(64) + 0.5) / 64
 """Shares of an error that may be new in every frame, over which is summed."""
-_BY_FRAME = ("time_s", "face", "xy_mm", "force_n", "covariance", "explained")
+_BY_FRAME = ("time_s", "face", "xy_mm", "force_n", "covariance", "explained", "jaws")
 """Fields of a track with a row for each frame."""
 _PRESSED = 0.5
 """Probability of a contact above which a network's frame counts as pressed."""
@@ -41,6 +41,7 @@ class ContactTrack:
         where the estimator takes contacts for frictionless
     covariance : (frame, contact, 5, 5) of x, y (mm) and the three forces (N); 0 where nothing is read
     explained : (frame,) frames that the estimator trusts
+    jaws : (frame,) frames whose contacts are flat jaws, not round tips
     scale_error : standard deviation of a factor that all forces have in common (of the modulus), relative
     """
 
@@ -50,6 +51,7 @@ class ContactTrack:
     force_n: Float[np.ndarray, "frame contact 3"]
     covariance: Float[np.ndarray, "frame contact 5 5"]
     explained: Bool[np.ndarray, "frame"]
+    jaws: Bool[np.ndarray, "frame"]
     scale_error: float = 0.0
 
     def __len__(self) -> int:
@@ -86,7 +88,8 @@ class ContactTrack:
         mean = values.mean(axis=0)[None]
         return ContactTrack(
             self.time_s[frames].mean(keepdims=True), self.face[frames[:1]], mean[..., :2], mean[..., 2:],
-            covariance[None], np.array([self.explained[frames].all()]), self.scale_error,
+            covariance[None], np.array([self.explained[frames].all()]),
+            np.array([self.jaws[frames].any()]), self.scale_error,
         )  # fmt: skip
 
     @property
@@ -175,7 +178,7 @@ def track_of_sets(
     covariance[..., 4, 4] = np.maximum(covariance[..., 4, 4] - common, 0.0)
     force = np.concatenate([sets.tangential_n, sets.force_n[..., None]], axis=2)
     return ContactTrack(
-        time_s, sets.face, sets.xy_mm, force, covariance, sets.explained, force_error
+        time_s, sets.face, sets.xy_mm, force, covariance, sets.explained, sets.jaws, force_error
     )
 
 
@@ -204,7 +207,8 @@ def track_of_networks(
     novel = np.stack([column.novel for column in columns], axis=1)
     explained = ~np.any(novel & pressed, axis=1)
     xy = np.where(pressed[..., None], xy, np.nan)
-    return ContactTrack(time_s, face, xy, force, covariance, explained)
+    tips = np.zeros(len(face), bool)
+    return ContactTrack(time_s, face, xy, force, covariance, explained, tips)
 
 
 def track_of_labels(frames: FrameSet, true: bool = False) -> ContactTrack:
@@ -224,6 +228,7 @@ def track_of_labels(frames: FrameSet, true: bool = False) -> ContactTrack:
         force,
         np.zeros((*shape, 5, 5)),
         np.ones(shape[0], bool),
+        np.zeros(shape[0], bool),
     )
 
 

@@ -45,7 +45,7 @@ _KIND = FileKind(
         "jaw_half_mm": ("jaw axis", "mm"),
     },
     optional=(
-        *("skin", "shear", "shear_x_mm", "shear_y_mm", "nuisances"),
+        *("shear", "shear_x_mm", "shear_y_mm", "nuisances"),
         *("jaws", "jaw_faces", "jaw_half_mm"),
     ),
     attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
@@ -67,7 +67,7 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "shear": None if shear is None else shear.coefficients,
         "shear_x_mm": None if shear is None else shear.x.nodes,
         "shear_y_mm": None if shear is None else shear.y.nodes,
-        "skin": None if model.skin is None else model.skin.coefficients,
+        "skin": model.skin.coefficients,
         "signals": table.coefficients,
         "motions": model.motions.coefficients,
         "x_mm": table.x.nodes,
@@ -154,13 +154,10 @@ def _nuisances(values: dict[str, np.ndarray], described: list[list[Any]]) -> tup
 def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inversion:
     spec = ObjectSpec.model_validate(json.loads(attributes["specification"]))
     x, y, root = (cubic_axis(values[name]) for name in ("x_mm", "y_mm", "root_n"))
-    signals, motions = (
+    signals, motions, skin = (
         PressTable(values["faces"], x, y, root, values[name].astype(np.float32))
-        for name in ("signals", "motions")
+        for name in ("signals", "motions", "skin")
     )
-    skin = None
-    if "skin" in values:
-        skin = PressTable(values["faces"], x, y, root, values["skin"].astype(np.float32))
     shear = None
     if "shear" in values:
         along_x, along_y = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
@@ -178,7 +175,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         described[name] = tuple(described[name])
     return Inversion(
         ContactModel(
-            spec, signals, motions, values["rest"], float(attributes["nearest_mm"]), shear, skin
+            spec, signals, motions, values["rest"], float(attributes["nearest_mm"]), skin, shear
         ),
         Disturbances(
             values["noise_counts"],

@@ -67,8 +67,8 @@ class ContactModel:
     signals, motions : tables of single presses
     rest : (body, 6) motion that is there without a press
     nearest_mm : between magnet and sensor in single presses
+    skin : depth and contact area of single presses (`skin_table`)
     shear : what tangential forces add, 2 · channels; None where contacts are frictionless
-    skin : depth and contact area of single presses (`skin_table`); None in files of earlier versions
     """
 
     spec: ObjectSpec
@@ -76,8 +76,8 @@ class ContactModel:
     motions: PressTable
     rest: Float[np.ndarray, "body 6"]
     nearest_mm: float
+    skin: PressTable
     shear: PressTable | None = None
-    skin: PressTable | None = None
 
     def select_face(self, index: int) -> ContactModel:
         """The same object pressed on one face only, which then is face 0."""
@@ -86,8 +86,8 @@ class ContactModel:
             self,
             signals=self.signals.select_face(index),
             motions=self.motions.select_face(index),
+            skin=self.skin.select_face(index),
             shear=shear,
-            skin=None,
         )
 
     def moved_to(self, reference: Array) -> ContactModel:
@@ -319,6 +319,6 @@ def contact_model(
         motion_table(forces, motions),
         rest_motion(motions),
         nearest,
-        shear_table(spec, signals, shear) if share and shear is not None else None,
         skin_table(forces, signals),
+        shear_table(spec, signals, shear) if share and shear is not None else None,
     )

@@ -20,6 +20,7 @@ from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.grasps.growing import GrowingGrasps
 from estimator.grasps.measures import MeasuredGrasp, conditions_of
+from estimator.grasps.track import ContactTrack
 from estimator.inversion.condition import Condition
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
@@ -32,9 +33,6 @@ from instobj.bench.live.health import (
     whole_condition,
 )
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
-from instobj.commands.assess.groups import with_ends
-from instobj.commands.assess.sentences import answer_text
-from instobj.commands.assess.tracks import MOST_UNEXPLAINED
 
 _KEPT = 4000
 _MOST_BEHIND = 40
@@ -264,12 +262,25 @@ class Watch:
                 self._pressed_s = row.arrived_s
             self.reading = Reading(contacts, row.arrived_s, row.time_s)
             if contacts.track is not None:
-                for grasp in self._growing.feed(contacts.track):
-                    self._grasps.append(self._judged(grasp, estimator.method))
+                self._take_grasps(contacts.track, estimator.method)
+
+    def _take_grasps(self, track: ContactTrack, method: str) -> None:
+        """Judge the grasps that end with a frame; one that cannot be measured must not end the reading."""
+        try:
+            for grasp in self._growing.feed(track):
+                self._grasps.append(self._judged(grasp, method))
+        except (ValueError, ArithmeticError) as error:  # also numpy's LinAlgError
+            number = self._growing.count
+            text = f"grasp {number}: cannot be measured: {error}"
+            self._grasps.append({"grasp": number, "text": text})
 
     def _judged(self, grasp: MeasuredGrasp, method: str) -> dict[str, Any]:
         """Return what the page says of a grasp that has ended: the answer of `instobj assess`, and forces and
         slip where the estimator explains most of it."""
+        from instobj.commands.assess.groups import with_ends
+        from instobj.commands.assess.sentences import answer_text
+        from instobj.commands.assess.tracks import MOST_UNEXPLAINED
+
         unexplained, number = grasp.readings["unexplained"].value, grasp.grasp.number
         name = f"grasp {number}"
         text = answer_text(name, [grasp], unexplained, method, self._conditions)

@@ -33,7 +33,10 @@ def verdict_text(group: Group, conditions: Conditions) -> str:
             "that the estimator is of this object."
         )
     grasps, method = [grasp for _, grasp in group.grasps], group.recordings[0].read.method
-    return answer_text(group.name, grasps, group.unexplained, method, conditions)
+    text = answer_text(group.name, grasps, group.unexplained, method, conditions)
+    if group.trusted and not conditions.limits and verdict_of(grasps, conditions).answer == "good":
+        text += " Damage is not judged: no limit is given (--limit)."
+    return text
 
 
 def answer_text(
@@ -43,8 +46,9 @@ def answer_text(
     method: str,
     conditions: Conditions,
 ) -> str:
-    """Return the sentence of `verdict_text` for grasps of which `unexplained` is the share of pressed frames
-    that the estimator does not explain; `method` reads them, inversion or networks."""
+    """Return the sentence of `verdict_text` but for its options, for grasps of which `unexplained` is the
+    share of pressed frames that the estimator does not explain; `method` reads them, inversion or
+    networks."""
     if unexplained > MOST_UNEXPLAINED:
         return (
             f"{name}: cannot be said, because the estimator does not explain {100 * unexplained:.0f} % of "
@@ -59,8 +63,6 @@ def answer_text(
     joint = ": " if verdict.answer == "good" else ", because "
     half_width = force_half_width(grasps)
     width = f" Forces are known to ± {100 * half_width:.0f} %." if np.isfinite(half_width) else ""
-    if verdict.answer == "good" and not conditions.limits:
-        width += " Damage is not judged: no limit is given (--limit)."
     return f"{name}: {verdict.answer} ({count}){joint}{reasons}.{width}"
 
 

@@ -49,7 +49,8 @@ def squeeze(
     force[..., 2] = np.where(face > 0, normal, np.nan)
     covariance = np.zeros((frames, 2, 5, 5))
     covariance[..., 4, 4] = np.where(face > 0, sigma_n**2, 0.0)
-    return ContactTrack(time_s, face, xy, force, covariance, np.ones(frames, bool))
+    explained, jaws = np.ones(frames, bool), np.zeros(frames, bool)
+    return ContactTrack(time_s, face, xy, force, covariance, explained, jaws)
 
 
 def joined(*tracks):

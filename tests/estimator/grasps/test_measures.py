@@ -56,6 +56,22 @@ def test_the_weight_explains_the_difference_of_jaws():
     assert grasp.readings["equilibrium_p"].value > 0.05
 
 
+def test_depth_pressure_and_energy_under_flat_jaws_are_not_known():
+    """They are those of round tips; forces, balance and slip are of either."""
+    track = squeeze(10.0)
+    (tips,) = measured_grasps(track, CONDITIONS)
+    (closing,) = measured_grasps(replace(track, jaws=track.time_s < 1.5), CONDITIONS)
+    (jaws,) = measured_grasps(replace(track, jaws=track.total_n > 15.0), CONDITIONS)
+    for name, reading in tips.readings.items():
+        of_tips, of_closing, of_jaws = (
+            [*vars(grasp.readings[name]).values()] for grasp in (tips, closing, jaws)
+        )
+        flat = name in ("depth_mm", "pressure_mpa", "energy_mj")
+        assert not flat or reading.value > 0
+        np.testing.assert_array_equal(of_closing, of_tips, err_msg=name)
+        np.testing.assert_array_equal(of_jaws, [np.nan] * 3 if flat else of_tips, err_msg=name)
+
+
 def lying(track, down, jolt_m_s2=0.0):
     """Motion of an object whose weight pulls that way; a jolt at 3 s."""
     motion = np.zeros((len(track.time_s), 6))

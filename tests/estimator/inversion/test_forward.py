@@ -102,7 +102,7 @@ def test_contacts_may_be_on_the_cells_whose_corners_are_all_pressed():
     faces = np.array(spec.body.sensed)
     zeros = np.zeros((len(faces), len(x.nodes), len(y.nodes), 5, 3))
     table = PressTable(faces, x, y, root, zeros)
-    model = ContactModel(spec, table, table, np.zeros((1, 6)), 3.0)
+    model = ContactModel(spec, table, table, np.zeros((1, 6)), 3.0, skin=table)
     assert not model.whole
     there = pressed.reshape(len(faces), *lattice.shape)
     cells = there[:, 1:, 1:] & there[:, :-1, 1:] & there[:, 1:, :-1] & there[:, :-1, :-1]

@@ -258,6 +258,15 @@ def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value,
         load_inversion(path)
 
 
+def test_a_file_without_the_skin_is_refused(tmp_path):
+    path = tmp_path / "contacts.nc"
+    save_inversion(inverted(), path)
+    with h5py.File(path, "a") as file:
+        del file["skin"]
+    with pytest.raises(StoreError, match=r"missing skin.*Train it anew"):
+        load_inversion(path)
+
+
 def held(number, rng, frames=100):
     """Raw counts of contacts that begin after 5 s of rest and stay, on an object that turns and warms."""
     face, contact = contacts(rng, 1, number, (4.0, 8.0))

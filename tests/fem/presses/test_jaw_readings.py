@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ContactGridSpec, IndenterSpec, MeshSpec
+from estimator.grasps.track import track_of_sets
 from estimator.information.jaws import signals_of_motions
 from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import load_inversion, save_inversion
@@ -126,12 +127,15 @@ def test_a_grasp_by_jaws_is_followed_as_jaws_until_it_lets_go(spec, reader, rigi
     assert tracker.feed(rest).number.tolist() == [0]
     for tilt in (0.0, 0.2, 0.4, 0.6):
         counts, press = grasp(spec, rigid_response, (tilt, 0.0), 1.0)
-        assert (errors(tracker.feed(counts), press, (tilt, 0.0)) < [0.05, 1.0, 2.0]).all()
+        read = tracker.feed(counts)
+        assert (errors(read, press, (tilt, 0.0)) < [0.05, 1.0, 2.0]).all()
+        assert track_of_sets(np.zeros(1), read, 0.0).jaws.all()
     assert tracker.seen_anew <= 2  # jaws go on from the frame before
     assert tracker.feed(rest).number.tolist() == [0]
     counts, _ = frame_of(spec, rigid_response, [Tip(3, 5.0, -4.0)], 1.0)
     read = tracker.feed(counts)
     assert not read.jaws.any()
+    assert not track_of_sets(np.zeros(1), read, 0.0).jaws.any()
     assert read.number.tolist() == [1]
 
 

@@ -4,6 +4,7 @@ import base64
 import csv
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,7 +18,20 @@ from estimator.grasps.track import ContactTrack, track_of_labels
 from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
-from instobj.commands.assess.tracks import unexplained_share
+from instobj.commands.assess.groups import (
+    Group,
+    MeasuredRecording,
+    axis_of,
+    difference_row,
+    full_rows,
+    grasp_rows,
+    median_rows,
+    whole_document,
+    write_csv,
+)
+from instobj.commands.assess.sentences import difference_text
+from instobj.commands.assess.tracks import ReadRecording, unexplained_share
+from tests.estimator.grasps.grasps_by_hand import joined, squeeze
 from tests.support.archives import unpack
 from tests.support.browser import Browser, chromium
 from tests.support.cli import run
@@ -182,9 +196,37 @@ def test_frames_that_nothing_explains_count_where_no_contact_is_read():
         nothing[..., :3],
         np.zeros((10, 1, 5, 5)),
         explained,
+        np.zeros(10, bool),
     )
     assert unexplained_share([track]) == pytest.approx(3 / 5)
     assert unexplained_share([track.select(slice(0, 2))]) == 0
+
+
+def test_what_is_not_known_of_flat_jaws_is_a_dash_empty_or_null_and_not_ranked(tmp_path):
+    groups = []
+    for name in ("tips", "jaws"):
+        track = joined(*(squeeze(peak_n) for peak_n in (4.0, 5.0, 6.0)))
+        track = replace(track, jaws=np.full(len(track), name == "jaws"))
+        read = ReadRecording(tmp_path / name, track, None, "inversion", [], [], False, None)
+        grasps = measured_grasps(track, conditions_of(SPEC))
+        groups.append(Group(name, [MeasuredRecording(read, grasps, [])]))
+    shown = [row[axis_of("pressure_mpa")] for row in grasp_rows(groups, ["pressure_mpa"])]
+    assert "–" not in shown[:3]
+    assert shown[3:] == ["–"] * 3
+    (medians,) = median_rows(groups, ["pressure_mpa"])
+    assert medians["jaws"] == "–"
+    with write_csv(tmp_path / "grasps.csv", full_rows(groups)).open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    for name in ("depth_mm", "pressure_mpa", "energy_mj"):
+        assert all(float(row[name]) > 0 for row in rows[:3])
+        assert {row[name] + row[f"{name}_low"] for row in rows[3:]} == {""}
+        written = json.loads(json.dumps(whole_document({}, groups), allow_nan=False))["grasps"]
+        assert [row[name] is None for row in written] == [False] * 3 + [True] * 3
+        values = {group.name: group.values(name) for group in groups}
+        for paired in (False, True):
+            (difference,) = compare(values, paired)
+            assert "cannot be ranked" in difference_text(difference, name)
+            assert difference_row(difference)["sure"] == "no"
 
 
 def test_contacts_of_all_recordings_go_to_one_mcap_file(bench, ranked):

@@ -15,7 +15,7 @@ from instobj.bench.live.health import DRIFTING, GOOD
 from instobj.bench.live.watch import Watch, channel_names
 from instobj.commands.assess.groups import with_ends
 from instobj.commands.assess.sentences import answer_text
-from tests.estimator.grasps.grasps_by_hand import squeeze
+from tests.estimator.grasps.grasps_by_hand import joined, squeeze
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)
@@ -151,11 +151,26 @@ def test_a_grasp_that_has_ended_has_the_answer_of_assess(explained):
     assert grasp["text"] == answer_text("grasp 1", expected, unexplained, "inversion", conditions)
     if explained:
         assert grasp["text"].startswith("grasp 1: good (one grasp)")
+        assert "--limit" not in grasp["text"]  # an option of `assess`
         assert grasp["peak_n"] == with_ends(expected[0].readings["peak_n"])
         assert grasp["slip_mm"] == "0"
     else:
         assert "cannot be said" in grasp["text"]
         assert set(grasp) == {"grasp", "text"}
+
+
+def test_a_grasp_that_cannot_be_measured_is_said_and_reading_goes_on():
+    """Nothing can be drawn from a covariance that is not finite."""
+    broken = squeeze(10.0)
+    track = joined(replace(broken, covariance=broken.covariance * np.nan), squeeze(4.0))
+    watch = watching(Squeezed(track))
+    for row in range(len(track)):
+        feed(watch, [0.0], 100.0 + row)
+        watch.read_next()
+    lost, measured = watch.state()["grasps"]
+    assert lost["text"].startswith("grasp 1: cannot be measured: ")
+    assert set(lost) == {"grasp", "text"}
+    assert measured["text"].startswith("grasp 2: good")
 
 
 def test_a_chip_that_stands_still_is_left_out_and_told():
