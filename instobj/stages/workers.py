@@ -230,7 +230,7 @@ def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
     return True
 
 
-_QUIET_SHARE = 0.25
+_QUIET_SHARE = 0.5
 """Share of the time since the start that passes between two lines on how far a run is."""
 
 
@@ -253,7 +253,7 @@ class WorkersProgress:
         if outcome["error"]:
             self._say(f"{task.spec.name}: {outcome['error']}")
         now = time.monotonic()
-        # after a quarter of the time so far: a run of any length says some ten times how far it is
+        # after half of the time so far: a run of any length says some ten times how far it is
         quiet_s = max(NEWS_EVERY_S, _QUIET_SHARE * (now - self._began))
         if now - self._said < quiet_s and self._finished < self._count:
             return
