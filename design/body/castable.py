@@ -60,19 +60,13 @@ def noise_mm(surface: trimesh.Trimesh) -> float:
     A corner's height over its neighbours' mean is curvature and noise; curvature is nearly the same at the
     neighbours. What is left of the difference is noise, by the median, which sharp edges do not move.
     """
-    between = surface.edges_unique
-    neighbours = np.bincount(between.ravel(), minlength=len(surface.vertices))
+    from trimesh.smoothing import laplacian_calculation
 
-    def above_neighbours(values: Float[np.ndarray, "corner n"]) -> Float[np.ndarray, "corner n"]:
-        total = np.zeros_like(values)
-        np.add.at(total, between[:, 0], values[between[:, 1]])
-        np.add.at(total, between[:, 1], values[between[:, 0]])
-        return values - total / neighbours[:, None]
-
+    neighbours = laplacian_calculation(surface)  # rows that take the mean over a corner's neighbours
     corners = np.asarray(surface.vertices)
     # a corner's height is the component of its offset along its normal
-    heights = np.sum(above_neighbours(corners) * surface.vertex_normals, axis=1, keepdims=True)
-    rest = above_neighbours(heights)
+    heights = np.sum((corners - neighbours @ corners) * surface.vertex_normals, axis=1)
+    rest = heights - neighbours @ heights
     # 1.4826 median deviations are one standard deviation of a normal distribution
     return float(1.4826 * np.median(abs(rest - np.median(rest)))) / _REST_OF_NOISE
 

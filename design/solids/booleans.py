@@ -9,15 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from typing import Any, Literal, TypeAlias
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import trimesh
-from OCP.BRep import BRep_Tool  # pyright: ignore[reportAttributeAccessIssue]
 from OCP.BRepMesh import BRepMesh_IncrementalMesh  # pyright: ignore[reportAttributeAccessIssue]
 from OCP.Standard import Standard_Failure  # pyright: ignore[reportAttributeAccessIssue]
-from OCP.TopAbs import TopAbs_REVERSED  # pyright: ignore[reportAttributeAccessIssue]
-from OCP.TopLoc import TopLoc_Location  # pyright: ignore[reportAttributeAccessIssue]
 
 from design.body.meshes import boolean_of, height_mm, one_closed_surface, signed_mm3
 from design.errors import NotOneSolid
@@ -32,10 +28,6 @@ FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
 """True where exact solids are made triangles in every operation."""
-_TRIANGLES_OF: WeakKeyDictionary[cq.Shape, tuple[tuple[float, float], trimesh.Trimesh]] = (
-    WeakKeyDictionary()
-)
-"""Fineness (mm and rad) and triangles of solids that `exact_or_triangles` looked at."""
 _FOLD_DEG, _FILM_MM = 175.0, 1e-3
 """Turn between neighbouring triangles beyond which they are a fold, and height below which a triangle
 is a film, whose normal says nothing."""
@@ -56,12 +48,10 @@ def exact_or_triangles(make: Callable[[], Solid], fineness: tuple[float, float])
         solid = make()
     except (NotOneSolid, Standard_Failure):
         return _make_of_triangles(make)
-    if not isinstance(solid, cq.Shape):
-        return solid
     # of a copy: triangles that a solid keeps widen its box
-    surface = convert_to_triangles(solid.copy(), fineness, False)
-    _TRIANGLES_OF[solid] = fineness, surface
-    if not _is_folded(surface):
+    if not isinstance(solid, cq.Shape) or not _is_folded(
+        convert_to_triangles(solid.copy(), fineness, False)
+    ):
         return solid
     try:
         surface = _make_of_triangles(make)
@@ -199,39 +189,14 @@ def convert_to_triangles(
     (rad); what consists of triangles is returned."""
     if not isinstance(shape, cq.Shape):
         return shape
-    of_fineness, judged = _TRIANGLES_OF.get(shape, (None, None))
-    if judged is not None and of_fineness == fineness and not relative:
-        return judged.copy()
     if not relative:
         BRepMesh_IncrementalMesh(shape.wrapped, fineness[0], False, fineness[1], True)
-    shape.mesh(*fineness)
-    mesh = trimesh.Trimesh(*_corners_and_triangles(shape))
+    points, triangles = shape.tessellate(*fineness)
+    mesh = trimesh.Trimesh([point.toTuple() for point in points], triangles)
     mesh.merge_vertices(digits_vertex=7)
     corners = np.sort(mesh.faces, axis=1)
     mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
     return mesh
-
-
-def _corners_and_triangles(shape: cq.Shape) -> tuple[np.ndarray, np.ndarray]:
-    """Return corners (mm) and triangles, face by face, of a solid that the kernel has meshed: as CadQuery's
-    `tessellate`, in half its time."""
-    corners, triangles = list[Any](), [np.empty((0, 3), int)]
-    for face in shape.Faces():
-        location = TopLoc_Location()
-        mesh = BRep_Tool.Triangulation_s(face.wrapped, location)
-        if mesh is None:
-            continue
-        nodes = map(mesh.Node, range(1, mesh.NbNodes() + 1))
-        if not location.IsIdentity():
-            turn = location.Transformation()
-            nodes = (node.Transformed(turn) for node in nodes)
-        first = len(corners) - 1  # the kernel counts from 1
-        corners += [node.Coord() for node in nodes]
-        of_face = first + np.array([triangle.Get() for triangle in mesh.Triangles()])
-        if face.wrapped.Orientation() == TopAbs_REVERSED:
-            of_face = of_face[:, [0, 2, 1]]
-        triangles.append(of_face)
-    return np.array(corners).reshape(-1, 3), np.concatenate(triangles)
 
 
 def stl_surface(mesh: trimesh.Trimesh) -> trimesh.Trimesh | None:
