@@ -72,27 +72,6 @@ def silicone_preset(name: str) -> Silicone:
     return row_named(SILICONES, name, "silicone.name", otherwise)
 
 
-def softer_silicones(
-    modulus_mpa: float, least_mpa: float, cure: str
-) -> tuple[list[Silicone], list[Silicone]]:
-    """Return the casting silicones of a cure that are surely softer than one of this modulus, which is
-    `least_mpa` at least, and the ones that may be; each the firmest first.
-
-    Sources differ by more than neighbours in the catalogue do: of two moduli whose intervals overlap nobody
-    knows which is the lower one.
-    """
-    lower = [
-        silicone
-        for silicone in SILICONES.values()
-        if silicone.casting is not None
-        and silicone.casting.cure == cure
-        and silicone.modulus.youngs_modulus_mpa < modulus_mpa
-    ]
-    lower.sort(key=lambda silicone: -silicone.modulus.youngs_modulus_mpa)
-    surely = [silicone for silicone in lower if silicone.modulus.high_mpa < least_mpa]
-    return surely, [silicone for silicone in lower if silicone not in surely]
-
-
 def modulus_from_shore(reading: str) -> ModulusEstimate:
     """E (MPa) of a hardness such as "A10" or "00-30", with the spread of the relation.
 

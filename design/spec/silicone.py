@@ -10,6 +10,7 @@ from design.catalogue.silicones import (
     SILICONES,
     Casting,
     ModulusEstimate,
+    Silicone,
     modulus_from_shore,
     silicone_preset,
 )
@@ -113,6 +114,30 @@ class SiliconeSpec(SpecPart):
             return None
         low, high = self.youngs_modulus_range_mpa
         return low / self.youngs_modulus_mpa, high / self.youngs_modulus_mpa
+
+    @property
+    def modulus_interval_mpa(self) -> tuple[float, float]:
+        """Ends of the modulus's interval, the modulus itself twice where none is known."""
+        return self.youngs_modulus_range_mpa or (self.youngs_modulus_mpa, self.youngs_modulus_mpa)
+
+    def softer(self) -> tuple[list[Silicone], list[Silicone]]:
+        """Return the casting silicones of the same cure that are surely softer, and the ones that may be;
+        each the firmest first.
+
+        Sources differ by more than neighbours in the catalogue do: of two moduli whose intervals overlap
+        nobody knows which is the lower one.
+        """
+        lower = [
+            silicone
+            for silicone in SILICONES.values()
+            if silicone.casting is not None
+            and silicone.casting.cure == self.cure
+            and silicone.modulus.youngs_modulus_mpa < self.youngs_modulus_mpa
+        ]
+        lower.sort(key=lambda silicone: -silicone.modulus.youngs_modulus_mpa)
+        least_mpa, _ = self.modulus_interval_mpa
+        surely = [silicone for silicone in lower if silicone.modulus.high_mpa < least_mpa]
+        return surely, [silicone for silicone in lower if silicone not in surely]
 
 
 def _figures(given: dict[str, Any]) -> dict[str, Any]:

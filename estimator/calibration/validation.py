@@ -308,7 +308,7 @@ def rank_correlation(recorded: np.ndarray, model: np.ndarray) -> float | None:
 
 def verdict(spec: ObjectSpec, result: Agreement) -> str:
     """In words: what the recordings support of the model, and what not."""
-    low, high = spec.silicone.youngs_modulus_range_mpa or (spec.silicone.youngs_modulus_mpa,) * 2
+    low, high = spec.silicone.modulus_interval_mpa
     inside = low <= result.modulus_mpa <= high
     near = 1 / SIZE_BAND <= result.size_ratio <= SIZE_BAND
     sized = result.size_spread.judgement if near else "not supported"

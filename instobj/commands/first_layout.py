@@ -10,7 +10,6 @@ import numpy as np
 
 from design.body.kinds.registry import KINDS
 from design.catalogue.hall_sensors import hall_part
-from design.catalogue.silicones import softer_silicones
 from design.errors import InputError
 from design.placement.objects import (
     COARSE,
@@ -300,12 +299,10 @@ def _figures_text(score: FirstScore) -> str:
 def _softer_text(spec: ObjectSpec) -> str:
     """Return a softer silicone as a further change, by the rule of `score`'s "what to change": surely softer,
     and carrying the force by the deepest press (here of a flat layer); nothing where there is none."""
-    given, indenter = spec.silicone, spec.indenter
-    least_mpa, _ = given.youngs_modulus_range_mpa or [given.youngs_modulus_mpa] * 2
-    surely, _ = softer_silicones(given.youngs_modulus_mpa, least_mpa, given.cure)
+    surely, _ = spec.silicone.softer()
     for silicone in surely[:1]:
         modulus_mpa = silicone.modulus.youngs_modulus_mpa
-        layer = Layer(spec.shell.thickness_mm, modulus_mpa, indenter.radius_mm)
+        layer = Layer(spec.shell.thickness_mm, modulus_mpa, spec.indenter.radius_mm)
         if layer.force_at(max(spec.press.depths_mm)) >= spec.score.force_n:
             return f", a softer silicone (silicone.name = {silicone.name!r})"
     return ""

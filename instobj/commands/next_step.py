@@ -71,22 +71,27 @@ def verdict_step(
         return next_step("run", *specs, out=out, overrides=overrides)
     if not failing:
         return next_step(f"{command} {GO}", *specs, out=out, overrides=overrides)
+    return no_go_step(command, failing[0], out, overrides)
+
+
+def no_go_step(command: str, path: Path, out: Path, overrides: Sequence[str]) -> str:
+    """Return the next step after a chain that found a specification no go."""
     if command == "score":  # what to change is said before a search is worth its time
-        return next_step(f"score {NO_GO}", failing[0], out=out, overrides=overrides)
-    if (failing[0].parent / "search.json").is_file():  # left by a search that has just been done
+        return next_step(f"score {NO_GO}", path, out=out, overrides=overrides)
+    if (path.parent / "search.json").is_file():  # left by a search that has just been done
         return next_step("no search")
     # slow to load, the second by torch
     from design.search.space import search_space
     from design.spec_io import load_spec
     from estimator.layouts.scorer import require_scorable
 
-    spec = load_spec(failing[0], overrides)
+    spec = load_spec(path, overrides)
     try:
         require_scorable(spec)
         search_space(spec)
     except InputError:  # a search does not take this object
         return next_step("no search")
-    return next_step(f"{command} {NO_GO}", failing[0], out=out, overrides=overrides)
+    return next_step(f"{command} {NO_GO}", path, out=out, overrides=overrides)
 
 
 def _estimator_paths(document: dict[str, Any]) -> tuple[list[Path], Path | None]:

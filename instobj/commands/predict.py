@@ -33,8 +33,8 @@ from instobj.commands.readings import (
     prediction_path,
     recorded_frames,
     recorded_stream,
-    training_data_set,
     training_frames,
+    training_set,
     unexplained_text,
     zeroed_data_set,
 )
@@ -122,24 +122,23 @@ def predict_file(
         "force interval should hold": model.interval_cover,
         **_measured_cover(labels, model.face),
     }
-    unexplained = is_unexplained(novel, len(rows))
-    cause = ""
-    if unexplained and labelled is not None:
-        cause = _more_tips_text(model_path, model.face, labelled)
+    unexplained, cause = is_unexplained(novel, len(rows)), ""
+    training = None if labelled is None else training_set(model_path)
+    if unexplained and labelled is not None and training is not None:
+        cause = _more_tips_text(training, model.face, labelled)
     texts = [*texts, *unexplained_text(path, novel, len(rows), cause)]
     tables: dict[str, list[dict[str, Any]]] = {f"{path.name}, {model_path.name}": [summary]}
     if labelled is not None and labels is not None and labels.rows:
-        trained_on = is_trained_on(
-            labelled, training_frames(model_path, (model.face,)), (model.face,)
-        )
+        faces = (model.face,)
+        trained_on = is_trained_on(labelled, training_frames(training, faces), faces)
         judged = [_errors_row(model_path.name, labels, *_read_by(labels.rows))]
         if trained_on:
             texts.append(
                 f"{path.name} is what {model_path.name} was trained on: these figures hold for no other "
                 "recording"
             )
-        else:
-            judged += _simple_rows(model, training_data_set(model_path), labelled, labels)
+        elif training is not None:
+            judged += _simple_rows(model, training, labelled, labels)
             texts += _simpler_text(judged)
         texts += _novel_text(path, labels)
         rival = " beside simple regressions" if len(judged) > 1 else ""
@@ -157,15 +156,10 @@ def predict_file(
     }
 
 
-def _more_tips_text(model_path: Path, face: int, frames: FrameSet) -> str:
-    """Say that more tips press a face together than in the data set of the model; nothing where not, or
-    without that data set."""
-    training = training_data_set(model_path)
-    tips = _most_tips(frames, face)
-    if tips < 2 or not training.is_file():
-        return ""
-    trained_tips = _most_tips(load_frames(training), face)
-    if tips <= trained_tips:
+def _more_tips_text(training: FrameSet, face: int, frames: FrameSet) -> str:
+    """Say that more tips press a face together than in the training of the model; nothing where not."""
+    tips, trained_tips = _most_tips(frames, face), _most_tips(training, face)
+    if tips < 2 or tips <= trained_tips:
         return ""
     trained = f"up to {trained_tips}" if trained_tips > 1 else "one"
     return (
@@ -292,17 +286,15 @@ def _errors_row(
 
 
 def _simple_rows(
-    model: DeployedModel, training: Path, frames: FrameSet, labels: _PressedLabels
+    model: DeployedModel, training: FrameSet, frames: FrameSet, labels: _PressedLabels
 ) -> list[dict[str, Any]]:
     """Return errors of simple regressions that are fitted to the data set of the model, least in force first.
 
-    No row without a data set that shows the face, and on a robot, which has no libraries to fit with.
+    No row where that does not show the face, and on a robot, which has no libraries to fit with.
     """
     try:
         from estimator.evaluation.baselines import simple_answers
     except ModuleNotFoundError:
-        return []
-    if not training.is_file():
         return []
     readable, wide = frames_with_readings(frames, model.channels, model.history_frames)
     number = labels.column("frame").astype(int)
@@ -318,7 +310,7 @@ def _simple_rows(
     )
     of_model = model.face, model.channels, model.history_frames
     try:
-        answers = simple_answers(load_frames(training), wide.select(chosen), *of_model)
+        answers = simple_answers(training, wide.select(chosen), *of_model)
     except InputError:  # the data set in the folder is of another object or face
         return []
     rows = [_errors_row(answer.name, judged, answer.force_n, answer.xy_mm) for answer in answers]

@@ -286,19 +286,17 @@ def unexplained_text(path: Path, unexplained: int, frames: int, cause: str = "")
     return texts
 
 
-def training_data_set(given: Path) -> Path:
-    """Return where the data set lies that estimators of a folder, or one of its files, were trained on."""
+def training_set(given: Path) -> FrameSet | None:
+    """Return the data set that estimators of a folder, or one of its files, were trained on; None where it
+    does not lie there."""
     folder = given if given.is_dir() else given.parent
-    return FRAMES.path(folder.parent if folder.name in OWN_FOLDERS else folder)
+    path = FRAMES.path(folder.parent if folder.name in OWN_FOLDERS else folder)
+    return load_frames(path) if path.is_file() else None
 
 
-def training_frames(given: Path, faces: Sequence[int]) -> frozenset[bytes]:
-    """Return the signals of every frame in the data set of the estimators' folder, on these faces; none
-    without a data set."""
-    data_set = training_data_set(given)
-    if not data_set.is_file():
-        return frozenset()
-    return frozenset(_frame_keys(load_frames(data_set), faces))
+def training_frames(training: FrameSet | None, faces: Sequence[int]) -> frozenset[bytes]:
+    """Return the signals of every frame of a training, on these faces; none without one."""
+    return frozenset() if training is None else frozenset(_frame_keys(training, faces))
 
 
 def is_trained_on(frames: FrameSet, training: frozenset[bytes], faces: Sequence[int]) -> bool:

@@ -15,7 +15,13 @@ from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
-from instobj.commands.next_step import assessing_text, next_step, training_step, verdict_step
+from instobj.commands.next_step import (
+    assessing_text,
+    next_step,
+    no_go_step,
+    training_step,
+    verdict_step,
+)
 from instobj.stages.run import Run, with_needs
 from instobj.stages.table import STAGES
 from instobj.stages.tasks import tasks_of
@@ -311,11 +317,8 @@ def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
 def _no_go_step(path: Path, out: Path, overrides: list[str]) -> str:
     """Return the next step of an object that is built though its scores say NO-GO: what to change, or a
     search where that was said."""
-    from instobj.report.cells import NO_GO
-
     changes_known = Run(load_spec(path, overrides)).stored("alternatives") is not None
-    judged = {"objects": [{"summary": {"verdict": {NO_GO: ""}}}]}
-    return verdict_step("run" if changes_known else "score", [path], out, overrides, judged)
+    return no_go_step("run" if changes_known else "score", path, out, overrides)
 
 
 def _warn_of_no_go(spec: ObjectSpec) -> bool:

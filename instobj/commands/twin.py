@@ -103,8 +103,7 @@ def _layer_n_per_mm(spec: ObjectSpec) -> tuple[float, float, float]:
     from fem.presses.compliance_map import DEPTH_MM
 
     silicone, thickness, radius = spec.silicone, spec.shell.thickness_mm, spec.indenter.radius_mm
-    modulus = silicone.youngs_modulus_mpa
-    moduli = modulus, *(silicone.youngs_modulus_range_mpa or (modulus, modulus))
+    moduli = silicone.youngs_modulus_mpa, *silicone.modulus_interval_mpa
     middle, low, high = (
         Layer(thickness, young, radius).force_at(DEPTH_MM) / DEPTH_MM for young in moduli
     )

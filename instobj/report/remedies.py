@@ -13,7 +13,6 @@ from operator import mul
 from typing import Any
 
 from design.body.surface_chart import FACE_AXES
-from design.catalogue.silicones import softer_silicones
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, weakest_place
 from instobj.report.cells import GO, NO_GO, percent_text
@@ -299,9 +298,7 @@ def softer_label(name: str) -> str:
 
 def _softer_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
     """Return why softer silicones are no remedy, as a sentence; nothing where one is."""
-    given = spec.silicone
-    least_mpa, most_mpa = given.youngs_modulus_range_mpa or [given.youngs_modulus_mpa] * 2
-    surely, perhaps = softer_silicones(given.youngs_modulus_mpa, least_mpa, given.cure)
+    surely, perhaps = spec.silicone.softer()
     reasons = list[str]()
     if surely:
         change = (softer_label(surely[0].name),)
@@ -318,7 +315,7 @@ def _softer_text(spec: ObjectSpec, rows: list[dict[str, Any]]) -> str:
     if perhaps:
         reasons.append(
             f"{perhaps[0].name} ({_range_text(*perhaps[0].modulus.range_mpa)}) is not surely softer than "
-            f"this one ({_range_text(least_mpa, most_mpa)})"
+            f"this one ({_range_text(*spec.silicone.modulus_interval_mpa)})"
         )
     why = "; ".join(reasons) or "the catalogue has none"
     return f"Softer silicone is left out: {why}"

@@ -33,8 +33,8 @@ class Scored:
 
     `broken_mm` is 0 where every limit is kept; `misfit` says which is broken most, or what else does not
     fit. `scorings` are the layouts that were scored for it, `generations` those planned for its run.
-    `start_scores` are those of the specification's own layout at the same level. Trials of earlier versions
-    have neither these nor the name of a limit nor generations.
+    `start_scores` are those of the specification's own layout at the same level. They come with
+    each trial, as only the processes that score trials have them.
     """
 
     params: dict[str, Any]

@@ -35,6 +35,7 @@ from instobj.commands.readings import (
     no_zero_text,
     recorded_stream,
     training_frames,
+    training_set,
     zeroed_data_set,
 )
 from instobj.store.progress import ProgressLine
@@ -124,7 +125,7 @@ def load_estimators(given: Path, spec: Path | None) -> Estimators:
         )
     else:
         described = inverted.model.spec
-    training = training_frames(given, described.body.sensed)
+    training = training_frames(training_set(given), described.body.sensed)
     return Estimators(given, described, inverted, networks, training)
 
 

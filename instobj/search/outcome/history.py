@@ -9,7 +9,6 @@ from jaxtyping import Bool, Float, Int
 
 from design.search.space import SearchSpace
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from instobj.search.lowest_fidelity import start_scores
 from instobj.search.trials import KeptTrials
 
 
@@ -36,9 +35,7 @@ class History:
 def search_history(space: SearchSpace, kept: KeptTrials) -> History:
     """Collect the objectives of all finished trials, and those of the start."""
     names, finished = space.spec.search.objectives, kept.finished
-    # every trial holds them; those of versions that kept none are scored again
-    of_trials = (trial.start_scores for trial in finished if trial.start_scores)
-    start = next(of_trials, None) or start_scores(space.spec).scores
+    start = finished[0].start_scores  # the same in all
     return History(
         names,
         np.array([[trial.scores[name] for name in names] for trial in finished]),

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.catalogue.magnets import GRADES
-from design.catalogue.silicones import SILICONES, softer_silicones
+from design.catalogue.silicones import SILICONES
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import contact_places
@@ -224,8 +224,7 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 def changes_of(spec: ObjectSpec) -> dict[str, Change]:
     """Return what can be changed of an object, under the names that users read; silicone becomes the next
     one of the catalogue that is surely softer, with the same cure."""
-    least_mpa, _ = spec.silicone.youngs_modulus_range_mpa or [spec.silicone.youngs_modulus_mpa] * 2
-    softer, _ = softer_silicones(spec.silicone.youngs_modulus_mpa, least_mpa, spec.silicone.cure)
+    softer, _ = spec.silicone.softer()
     if not softer:
         return _CHANGES
     nearest = softer[0]
