@@ -43,8 +43,6 @@ COARSE_ACCURACY = (
     f"change the median by up to a third. {_READ}"
 )
 """The same of a shell whose mechanics is not there yet: docs/measured/bodies.md."""
-_STEP_MM = 0.1
-"""Step of hands on the page, `STEP_MM` there."""
 _BENT = 0.1
 """Longest edge of the skin's triangles, as a share of the body's longest: a press bends several of them."""
 
@@ -117,13 +115,12 @@ def _room_mm(spec: ObjectSpec, faces: Sequence[FaceFrame]) -> dict[str, list[lis
     from its border as a search takes them on the longest one."""
     halves = np.array([face.half_extents_mm for face in faces])
     reaches, core = reaches_that_fit_mm(spec), spec.core
-    # A part that lies just as far out breaks the limit: hands stop a step before.
     # A recess turns with its place: askew its corner reaches farther than the search's straight one.
     length = core.recess_outer_radius_mm - spec.sensors.radius_mm
     askew = {"magnet": 0.0, "sensor": np.hypot(length, core.recess_width_mm / 2) - length}
     return {
         part: np.maximum(
-            halves - halves.max() + reaches[f"{part}_reach_mm"] - askew[part] - _STEP_MM, 0.0
+            halves - halves.max() + reaches[f"{part}_reach_mm"] - askew[part], 0.0
         ).tolist()
         for part in askew
     }

@@ -30,6 +30,8 @@ const copy = (value) => JSON.parse(JSON.stringify(value));
 const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
 // What stays as it is costs no layout.
 const write = (element, text) => element.textContent !== text && (element.textContent = text);
+// Of a face, along x and y: a part just as far out as a search goes breaks the limit, so hands stop a step before.
+const roomsOf = (content, kind) => content.room_mm[kind].map((room) => room.map((half) => Math.max(half - STEP_MM, 0)));
 const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
 
 async function post(question, body) {
@@ -363,7 +365,7 @@ export async function startExplore(root, model) {
   // A part more on every face: of its free places the one farthest from its kind that keeps all limits.
   async function addPart(kind) {
     const begun = JSON.stringify(state.design), design = copy(state.design);
-    const lists = listsOf(design, kind), rooms = content.room_mm[kind], ofFaces = lists.length === rooms.length;
+    const lists = listsOf(design, kind), rooms = roomsOf(content, kind), ofFaces = lists.length === rooms.length;
     const least = [0, 1].map((axis) => Math.min(...rooms.map((room) => room[axis]))); // one list serves every face
     const free = lists.map((list, face) => freePlaces(list, content.faces[ofFaces ? face : 0], ofFaces ? rooms[face] : least));
     const given = (await limitsOf(design)).broken.map(({ text }) => text);
@@ -653,7 +655,7 @@ function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, pr
     drag.moved = true;
     const face = now().content.faces[drag.face];
     const local = at.add(drag.off).sub(new Vector3(...face.centre_mm));
-    const room = now().content.room_mm[drag.kind][drag.face];
+    const room = roomsOf(now().content, drag.kind)[drag.face];
     const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(room[k], Math.max(-room[k], local.dot(new Vector3(...axis))))));
     move(drag, xy, event.timeStamp);
   });
