@@ -125,14 +125,14 @@ def largest_error(model: FieldModel, dtype: Any, job: Job) -> float:
     """Largest |ΔB|/|B| against magpylib, magnet by magnet at the first sensor."""
     offset = (job.points_mm[0] - job.centres_mm.reshape(-1, 3)).astype(dtype)
     axes = job.axes.reshape(-1, 3).astype(dtype)
-    found = np.transpose(model(components(offset), components(axes))).astype(float)
+    approximate = np.transpose(model(components(offset), components(axes))).astype(float)
     local = job.turns.inv().apply(job.points_mm[0] - job.centres_mm.reshape(-1, 3))
     disk = magpylib.magnet.Cylinder(
         polarization=(0, 0, DISK.polarization_t),
         dimension=(DISK.diameter_mm / 1e3, DISK.height_mm / 1e3),
     )
     exact = job.turns.apply(disk.getB(local / 1e3))
-    error = np.linalg.norm(found - exact, axis=1) / np.linalg.norm(exact, axis=1)
+    error = np.linalg.norm(approximate - exact, axis=1) / np.linalg.norm(exact, axis=1)
     return float(error.max())
 
 

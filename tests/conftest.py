@@ -65,7 +65,7 @@ def pytest_collection_finish():
 
 
 MOST_LEFT_BYTES = 300_000_000
-"""By which a process may have grown before it looks for what is unused: 0.1 s for each of 500 files."""
+"""Growth of a process before it looks for what is unused: 0.1 s for each of 500 files."""
 _resident_bytes = 0
 
 

@@ -131,7 +131,7 @@ def test_the_whole_is_the_integral_over_the_triangles_of_all_parts(body, changes
 
 
 def test_the_text_holds_the_sum_of_the_parts_and_their_centre():
-    """Of the paper's cube, its core open below: the centre lies above the middle."""
+    """The paper's cube has a core open below: the centre lies above the middle."""
     cube = ObjectSpec(name="cube")
     figures = [float(x) for x in re.findall(r"-?\d+\.\d", mass_text(cube))]
     whole, *parts, x, y, z = figures

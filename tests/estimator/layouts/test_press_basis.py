@@ -189,7 +189,7 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
 
 
 def test_bounds_of_places_far_apart_are_those_of_all_vectors():
-    """Of 147 independent vectors 63, 1.3 for each place, had bounds 0.92 to 1.18 times as large."""
+    """63 of 147 independent vectors, 1.3 for each place, had bounds 0.92 to 1.18 times as large."""
     grid, body = ContactGridSpec(count=(7, 7), pitch_mm=8.0), BodySpec(size_mm=(60.0, 60.0, 60.0))
     spec = made_up_spec(ObjectSpec(name="cube", contact_grid=grid, body=body))
     motions, layouts = made_up_motions(spec, pitch_mm=4.0), random_layouts(3, seed=1)

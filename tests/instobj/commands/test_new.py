@@ -529,7 +529,7 @@ def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
 
 
 def test_a_noisy_scan_is_designed_smooth(tmp_path):
-    """By its corners, 0.1 mm off along their normals; the file stays as it is."""
+    """Corners lie 0.1 mm off along their normals; the file stays as it is."""
     scan = trimesh.load_mesh(PEAR)
     scan.vertices += scan.vertex_normals * np.random.default_rng(2).normal(0, 0.1, (2562, 1))
     scan.export(tmp_path / "scan.stl")

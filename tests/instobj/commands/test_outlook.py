@@ -137,7 +137,7 @@ def test_a_softer_silicone_is_advised_only_where_it_carries_the_force(big):
 
 @pytest.mark.slow
 def test_more_sensors_under_the_same_shell_come_with_figures_and_lines_to_copy():
-    """Of a box "little better" was said of five sensors, and `run` halved its bound with them: by rules
+    """A box was said to gain little by five sensors, and `run` halved its bound with them: by rules
     they had a thinner shell and smaller magnets."""
     request = Request("box", (60.0, 45.0, 40.0))
     shell = ShellVariant(8.0, 6.0, 5.0, 1.0)
@@ -164,7 +164,7 @@ def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
 
 
 def test_bounds_to_expect_are_said_with_how_sure_they_are_and_the_share_within_the_limit(big):
-    """Of a box "about 95 %" was said, and the chain found 80 %."""
+    """A box was said to have "about 95 %", and the chain found 80 %."""
     score = FirstScore(0.512, 1.62, 0.9, within_range=(0.702, 0.9996))
     text = expected_text(spec_of(big[1]), score)
     for said in ("0.51 mm (median", "one in twenty above 1.6 mm", "factor of 2.5", "70 to 99 % of"):
@@ -175,7 +175,7 @@ def test_bounds_to_expect_are_said_with_how_sure_they_are_and_the_share_within_t
 
 
 def test_the_range_of_the_share_is_that_of_a_factor_on_all_bounds():
-    """As a limit so many times smaller, and larger, would have it; by the paper's cube."""
+    """The paper's cube at limits so many times smaller, and larger, has these shares."""
     spec = spec_of({})
     limit_mm = first_score(spec).median_mm
 

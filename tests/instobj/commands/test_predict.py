@@ -474,7 +474,7 @@ def judged(document):
 
 
 def test_errors_are_measured_against_labels_beside_a_simple_regression(folder, tmp_path):
-    """By hand from the predictions; the regression learns from the data set in the model's folder."""
+    """Errors are worked out by hand from the predictions; regressions learn from the model's data set."""
     model, true = tmp_path / "face_3.onnx", made_frames()
     shutil.copy(folder / "robot" / "face_3.onnx", model)
     save_frames(true, tmp_path / "frames.nc")
@@ -522,7 +522,7 @@ def test_pressed_frames_that_nothing_explains_are_judged_apart(folder, tmp_path)
 
 
 def test_more_tips_than_were_trained_on_are_the_cause_and_decide_what_comes_next(folder, tmp_path):
-    """Where frames are explained, more tips are no cause of anything."""
+    """More tips are no cause of anything where frames are explained."""
     model, true = tmp_path / "face_3.onnx", made_frames()
     shutil.copy(folder / "robot" / "face_3.onnx", model)
     save_frames(true, tmp_path / "frames.nc")
