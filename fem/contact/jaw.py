@@ -82,8 +82,10 @@ class JawFace:
 
     @cached_property
     def _bears(self) -> Bool[np.ndarray, "cell"]:
-        """Cells that bore in the press before, all of them at first: where the next begins. It changes how soon
-        the cells are known that bear, not which; frames of jaws take a fifth less time."""
+        """Cells that bore in the press before, all of them at first: where the next begins.
+
+        This changes how soon the cells that bear are known, not which; frames of jaws take a fifth less time.
+        """
         return np.ones(len(self.compliance), bool)
 
 
