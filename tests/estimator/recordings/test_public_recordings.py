@@ -17,6 +17,7 @@ from estimator.frames.splits import split_presses
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.combine import combine, jumps_between
 from estimator.recordings.reading import read_recording
+from studies.recorded.rest_offset import rest_offset_baseline
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 
 pytestmark = pytest.mark.skipif(
@@ -112,3 +113,11 @@ def test_estimator_on_held_out_presses(recordings):
     assert result.force_error_percent < 5 < chance.force_error_percent
     assert result.force_error_percent < ridge.force_error_percent
     assert result.non_contact_accuracy > 0.97
+
+
+def test_rest_level_alone_tells_the_place(recordings):
+    """Why locations on these files must be read with care: the rest level gives the case away."""
+    baseline = rest_offset_baseline(recordings, seed=1)
+    assert baseline.chance == 1 / 8
+    assert baseline.accuracy > 3 * baseline.chance
+    assert 0 < baseline.presses < 42 / 2  # judged are those that the means do not know
