@@ -235,18 +235,13 @@ class PredictedMotions:
     beyond: Bool[np.ndarray, "press case ratio"]
 
     def motion_of_cases(
-        self,
-        case: Int[np.ndarray, "press"],
-        ratio: float,
-        presses: Int[np.ndarray, "some"] | None = None,
-    ) -> Float[np.ndarray, "some body 6"]:
-        """Motions of some presses, of all where None, each as the given case, linear in the logarithm of
-        the modulus."""
+        self, case: Int[np.ndarray, "press"], ratio: float
+    ) -> Float[np.ndarray, "press body 6"]:
+        """Motions of all presses, each as the given case, linear in the logarithm of the modulus."""
         place = np.interp(np.log(ratio), np.log(MODULUS_RATIOS), np.arange(len(MODULUS_RATIOS)))
         low = min(int(place), len(MODULUS_RATIOS) - 2)
         share = place - low
-        presses = np.arange(len(case)) if presses is None else presses
-        rows = self.motion[presses, case[presses]]
+        rows = self.motion[np.arange(len(case)), case]
         return (1 - share) * rows[:, low] + share * rows[:, low + 1]
 
 

@@ -93,17 +93,6 @@ def _draw_nulls(axes: Any, document: dict[str, Any]) -> None:
         for agreement in document["agreement"]
         for title, key in (("cosine", "cosine"), ("signs", "signs"))
     ]
-    rows += [
-        (
-            f"calibrated, {test['unseen'].split(' of ')[0]}: cosine",
-            {
-                "value": test["after"]["own_cosine"],
-                "null": test["null"]["own_cosine"],
-                "p": test["p_own_cosine"],
-            },
-        )
-        for test in document["calibration_tests"]
-    ]
     for index, (_, row) in enumerate(rows):
         supported = row["p"] <= 0.05
         axes.barh(index, row["value"], color=BLUE if supported else "#b5b5b5")

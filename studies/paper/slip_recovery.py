@@ -13,9 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from design.layout.places.positions import slipped
+from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
-from estimator.calibration.most_probable import Values, most_probable
-from estimator.calibration.pose_fit import CORE, LARGEST_SHIFT_MM, Calibration
+from estimator.calibration.most_probable import Unknown, Values, most_probable
 from estimator.field.models import magnets_model
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.signals.field_setup import min_distance_mm
@@ -26,6 +27,13 @@ from estimator.tolerances.assembly import Assembly, counts_of, designed
 _MODEL_ERROR = 0.1
 """Error of the predicted change over its rms: magnets and sensors are off the design."""
 _CHUNK_FRAMES = 4000
+_LARGEST_SHIFT_MM = 3.0
+"""Largest shift of each coordinate in a fit; sensors come nearer to magnets by about this at most."""
+_POSE = {
+    "shift_mm": Unknown(1.0, (3,), bound=_LARGEST_SHIFT_MM),
+    "rotation_deg": Unknown(3.0, (3,), bound=10.0),
+}
+"""Pose of the core in the shell: its shift, and its rotation vector."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +46,22 @@ class FoundSlip:
 
     def applied(self, assembly: Assembly) -> Assembly:
         """The object with its core slipped so."""
-        return Calibration(self.shift_mm, self.rotation_deg, 1.0, 1.0).applied(assembly)
+        slip = SlipSpec(shift_mm=self.shift_mm, rotation_deg=self.rotation_deg)
+        return with_core_moved(assembly, slip)
+
+
+def with_core_moved(assembly: Assembly, slip: SlipSpec) -> Assembly:
+    """The object with what sits in its core moved."""
+    place = assembly.scene
+    if place.sensors_move:
+        return replace(assembly, scene=replace(place, magnets=slipped(place.magnets, slip)))
+    return replace(assembly, scene=replace(place, sensors=slipped(place.sensors, slip)))
+
+
+def slip_of(values: Values) -> SlipSpec:
+    """The slip that unknowns of `_POSE` say."""
+    (x, y, z), (a, b, c) = (values[name].tolist() for name in _POSE)
+    return SlipSpec(shift_mm=(x, y, z), rotation_deg=(a, b, c))
 
 
 def slip_from_rest(
@@ -53,22 +76,20 @@ def slip_from_rest(
     """
     design, known = designed(spec), np.isfinite(change_counts)
     rest = np.zeros((1, design.scene.bodies, 6))
-    nearest = min_distance_mm(design.scene, rest) - LARGEST_SHIFT_MM
+    nearest = min_distance_mm(design.scene, rest) - _LARGEST_SHIFT_MM
     model = magnets_model(spec.magnets, nearest)
     before = counts_of(spec, design.scene, rest, model)[0]
     rms = float(np.sqrt(np.mean(change_counts[known] ** 2)))
     sigma = np.hypot(noise_counts, _MODEL_ERROR * rms)
 
     def missing(values: Values) -> Float[np.ndarray, "known"]:
-        moved = Calibration.from_values(values).applied(design).scene
+        moved = with_core_moved(design, slip_of(values)).scene
         found = counts_of(spec, moved, rest, model)[0] - before
         return (change_counts - found)[known]
 
-    values = most_probable(lambda v: missing(v) / sigma, CORE, diff_step=1e-4).values
-    slip, left = (
-        Calibration.from_values(values),
-        float(np.sqrt(np.mean(missing(values) ** 2))) / rms,
-    )
+    values = most_probable(lambda v: missing(v) / sigma, _POSE, diff_step=1e-4).values
+    left = float(np.sqrt(np.mean(missing(values) ** 2))) / rms
+    slip = slip_of(values)
     return FoundSlip(slip.shift_mm, slip.rotation_deg, left)
 
 

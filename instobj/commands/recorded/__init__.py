@@ -1,1 +1,1 @@
-"""Commands that hold a model against recordings: how true it is, and what the residuals point to."""
+"""Commands that hold a model against recordings: how true it is."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
-from math import factorial, prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +13,7 @@ from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.commands.recorded.validate_travel import EXCHANGES, validate_on_travel
-from instobj.stages.makers.twin import TRUSTED_PERCENT
+from instobj.commands.recorded.validate_travel import validate_on_travel
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import object_row, require_writable, run_folder
@@ -23,15 +21,10 @@ from instobj.store.readers import PRESSES
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from estimator.calibration.pose_fit import CalibrationTest, Judged, Problem
-    from estimator.calibration.recorded_presses import RecordedPresses
+    from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
     from estimator.calibration.validation import Agreement, Predictions
     from estimator.tolerances.selftest import SelfTest
 
-
-_WORTHWHILE_GAIN = 0.05
-_LEAST_CASES = 3
-"""With fewer, no place is left to calibrate on besides the unseen one and one to exchange it with."""
 _NO_MODULUS = "labelled by travel: the ratio of moduli found tells nothing about the silicone"
 
 
@@ -119,8 +112,6 @@ def validate_on(
             f"{folder} is a folder without sensor.csv and states.csv. Give a recording's file, or a "
             "folder that holds both (presses of known travel)"
         )
-    from estimator.calibration.pose_fit import groups_freed
-
     spec = load_spec(path, overrides)
     require_writable(out)
     run = Run(spec)
@@ -131,10 +122,8 @@ def validate_on(
         presses = keep_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
-    problem, agreements, predictions = _compare(run, presses)
-    tests = _calibrations(problem, run.progress)
-    freed = groups_freed(problem) if tests else {}
-    document = _document(problem, agreements, predictions, tests, freed)
+    moving, agreements, predictions = _compare(run, presses)
+    document = _document(spec, presses, moving, agreements, predictions)
     document["sensors_not_recorded"] = absent
     document["labelled_by_travel"] = any(
         recording.frames.travel_mm is not None for recording in read
@@ -145,8 +134,9 @@ def validate_on(
     return _published(spec, run, presses, predictions, document, target)
 
 
-def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreement], Predictions]:
-    from estimator.calibration.pose_fit import LARGEST_SHIFT_MM, Problem
+def _compare(
+    run: Run, presses: RecordedPresses
+) -> tuple[PredictedMotions, list[Agreement], Predictions]:
     from estimator.calibration.recorded_presses import predicted_motions, pressed_faces
     from estimator.calibration.validation import agreement, predict
     from estimator.field.models import magnets_model
@@ -158,89 +148,42 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     forces, motions = run.read(PRESSES)
     design, rest = designed(spec), rest_motion(motions)
     nearest = min_distance_mm(design.scene, motions.all_motions)
-    model = magnets_model(spec.magnets, nearest - LARGEST_SHIFT_MM)
+    model = magnets_model(spec.magnets, nearest)
     moving = predicted_motions(spec, forces, motions, presses)
     predictions = predict(spec, design, moving, rest, model)
     faces = pressed_faces(presses)
     agreements = [agreement(spec, presses, predictions, face, spec.seed) for face in (*faces, None)]
-    return Problem(spec, design, presses, moving, rest, model), agreements, predictions
-
-
-def _calibrations(problem: Problem, progress: ProgressLine) -> list[CalibrationTest]:
-    from estimator.calibration.pose_fit import calibration_test, folds_by_case, folds_by_press
-
-    presses = problem.presses
-    rng = np.random.default_rng((problem.spec.seed, 9))
-    order = exchanged_cases(presses, EXCHANGES, rng)
-    if len(presses.cases) < _LEAST_CASES or not len(order):
-        return []
-    named = {
-        "other places": folds_by_case(presses),
-        "other presses of the same places": folds_by_press(presses),
-    }
-    with progress.stage("calibration of pose, remanence and modulus"):
-        return [
-            calibration_test(problem, name, folds, order, progress.step)
-            for name, folds in named.items()
-        ]
-
-
-def exchanged_cases(presses: RecordedPresses, count: int, rng: np.random.Generator) -> np.ndarray:
-    """Random exchanges of the cases that press the same faces, (exchange, case).
-
-    All of them differ, and from the true order; fewer than `count` where there are no more.
-    """
-    faces = [tuple(sorted({contact[0] for contact in case})) for case in presses.cases]
-    groups = [
-        [k for k, pressed in enumerate(faces) if pressed == group] for group in sorted(set(faces))
-    ]
-    true = tuple(range(len(faces)))
-    possible = prod(factorial(len(group)) for group in groups) - 1
-    orders: set[tuple[int, ...]] = set()
-    while len(orders) < min(count, possible):
-        order = np.arange(len(faces))
-        for group in groups:
-            order[group] = rng.permutation(group)
-        orders.add(tuple(order.tolist()))
-        orders.discard(true)
-    return np.array(sorted(orders), dtype=int).reshape(-1, len(faces))
+    return moving, agreements, predictions
 
 
 def _document(
-    problem: Problem,
+    spec: ObjectSpec,
+    presses: RecordedPresses,
+    moving: PredictedMotions,
     agreements: list[Agreement],
     predictions: Predictions,
-    tests: list[CalibrationTest],
-    freed: dict[str, Judged],
 ) -> dict[str, Any]:
-    from estimator.calibration.pose_fit import fit
     from estimator.calibration.resting import channel_names
     from estimator.calibration.validation import channel_rows, verdict
 
-    presses, spec = problem.presses, problem.spec
-    calibrated = fit(problem, np.arange(len(presses)), presses.case)
     return {
         "object": spec.name,
         "spec_hash": spec_hash(spec),
         "presses": len(presses),
         "cases": [[list(contact) for contact in case] for case in presses.cases],
         "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
-        "share_beyond_deepest_press": _share_beyond(problem),
+        "share_beyond_deepest_press": _share_beyond(presses, moving),
         "agreement": [asdict(agreement) for agreement in agreements],
         "verdicts": [verdict(spec, agreement) for agreement in agreements],
-        "calibration": asdict(calibrated),
-        "calibration_tests": [asdict(test) for test in tests],
-        "freed": {name: asdict(agreement) for name, agreement in freed.items()},
         "channels": channel_rows(presses, predictions, channel_names(spec)),
     }
 
 
-def _share_beyond(problem: Problem) -> float:
+def _share_beyond(presses: RecordedPresses, moving: PredictedMotions) -> float:
     """Share of presses whose force exceeds the deepest simulated press at the specification's E."""
     from estimator.calibration.recorded_presses import MODULUS_RATIOS
 
-    rows = np.arange(len(problem.presses))
-    beyond = problem.moving.beyond[rows, problem.presses.case]
+    beyond = moving.beyond[np.arange(len(presses)), presses.case]
     return float(beyond[:, np.argmin(abs(np.log(MODULUS_RATIOS)))].mean())
 
 
@@ -261,9 +204,6 @@ def _published(
         f"{len(document['cases'])} sets of places (null: places exchanged)": agreement_rows(
             document
         ),
-        "calibrated on some presses, judged on others": calibration_rows(document),
-        "what the residuals point to: each cause fitted by itself, judged on other places; the "
-        "likely one leaves the smallest share": cause_rows(document),
     }
     files = [target / "validation.json", figure]
     return {
@@ -272,7 +212,6 @@ def _published(
             *[_NO_MODULUS] * document["labelled_by_travel"],
             *not_recorded_texts(document["sensors_not_recorded"], len(sensor_layout(spec).face)),
             *document["verdicts"],
-            *calibration_texts(document),
         ],
         "validation": json.loads(json.dumps(document)),
         "objects": [object_row(spec, run.results.values(), summary, files)],
@@ -314,67 +253,3 @@ def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
                 }
             )
     return rows
-
-
-_JUDGED = {
-    "own_cosine": "cosine, own faces",
-    "all_cosine": "cosine, all channels",
-    "left_share": "share of the change left",
-}
-"""Titles of the figures that judge predictions (`pose_fit.Judged`)."""
-
-
-def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
-    """One row per kind of unseen presses and figure: before, after, null, p."""
-    rows = []
-    for test in document["calibration_tests"]:
-        p_values = {"own_cosine": test["p_own_cosine"], "left_share": test["p_left_share"]}
-        for key, title in _JUDGED.items():
-            values = {"before": test["design"][key]} | {
-                when: test[when][key] for when in ("after", "null")
-            }
-            rows.append(
-                {"unseen": test["unseen"], "figure": title, **values, "p": p_values.get(key)}
-            )
-    return rows
-
-
-def cause_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
-    """One row per cause of residuals that was fitted by itself, the one that leaves least first."""
-    return [
-        {"cause": name} | {_JUDGED[key]: value for key, value in figures.items()}
-        for name, figures in document["freed"].items()
-    ]
-
-
-def calibration_texts(document: dict[str, Any]) -> list[str]:
-    """Sentences on what calibration is worth on presses that it has not seen."""
-    cases = len(document["cases"])
-    if not document["calibration_tests"]:
-        return [
-            f"what calibration is worth cannot be told: {cases} sets of places pressed, of which none "
-            f"or too few can be exchanged. Record {_LEAST_CASES} or more on the same faces"
-        ]
-    return [calibration_text(test) for test in document["calibration_tests"]]
-
-
-def calibration_text(test: dict[str, Any]) -> str:
-    """One kind of unseen presses."""
-    from estimator.calibration.validation import SIGNIFICANCE, cannot_be_told
-
-    design_cosine, after, null = (test[key]["own_cosine"] for key in ("design", "after", "null"))
-    helps = after - design_cosine >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
-    worth = "it helps there" if helps else "it is worth little there"
-    if untold := cannot_be_told(1 + test["permutations"]):
-        worth = f"whether it helps there {untold}"
-    left_percent = 100 * test["design"]["left_share"]
-    if not helps and left_percent <= TRUSTED_PERCENT:
-        worth = (
-            f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change, noise "
-            "included"
-        )
-    return (
-        f"calibration judged on {test['unseen']}: own-face cosine {design_cosine:.2f} → {after:.2f} (null of "
-        f"the same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
-        f"{test['design']['left_share']:.2f} → {test['after']['left_share']:.2f}: {worth}"
-    )

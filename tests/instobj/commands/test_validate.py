@@ -8,16 +8,9 @@ import pytest
 
 from design.layout.places.positions import live_channels
 from design.spec_io import load_spec
-from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.resting import channel_names, read_resting
 from estimator.signals.presses import rest_counts
-from instobj.commands.recorded.validate import (
-    calibration_rows,
-    calibration_texts,
-    cause_rows,
-    exchanged_cases,
-    not_recorded_texts,
-)
+from instobj.commands.recorded.validate import not_recorded_texts
 from tests.support.cli import CUBE, assert_one_clear_error, run
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
@@ -108,95 +101,6 @@ def test_dead_channels_of_the_file_beside_the_specification(tmp_path):
         "run", "cube.toml", "--to", "robustness", "--set", "as_built='none.toml'", cwd=tmp_path
     )
     assert_one_clear_error(missing, "no as-built file")
-
-
-def pressed(*faces_of_cases):
-    """Presses of one case each, on the given faces."""
-    cases = tuple(
-        tuple((face, 0.0, float(k)) for face in faces) for k, faces in enumerate(faces_of_cases)
-    )
-    count = len(cases)
-    return RecordedPresses(
-        np.zeros((count, 45)),
-        np.zeros((count, 5)),
-        np.arange(count),
-        np.zeros(count, int),
-        np.ones(count, int),
-        cases,
-        np.ones(3),
-    )
-
-
-@pytest.mark.parametrize(
-    ("faces", "possible"),
-    [
-        ([(3,)] * 3, 5),
-        ([(3,), (3,), (5,), (5,)], 3),
-        ([(3, 5)] * 4, 23),
-        ([(1,), (2,), (3,)], 0),
-        ([(3,)] * 9, 362879),
-    ],
-)
-def test_exchanges_of_places_differ_and_keep_the_faces(faces, possible):
-    found = exchanged_cases(pressed(*faces), 19, np.random.default_rng(0))
-    assert len(found) == min(19, possible)
-    assert len({tuple(order) for order in found.tolist()} - {tuple(range(len(faces)))}) == len(
-        found
-    )
-    assert all(faces[new] == faces[old] for order in found for old, new in enumerate(order))
-
-
-def calibrated(permutations):
-    """A calibration that helps, and beats every exchange of places."""
-    before, after = {"own_cosine": 0.5, "left_share": 0.9}, {"own_cosine": 0.95, "left_share": 0.2}
-    return {
-        "unseen": "other places",
-        "design": before,
-        "after": after,
-        "null": before,
-        "p_own_cosine": 1 / (1 + permutations),
-        "permutations": permutations,
-    }
-
-
-@pytest.mark.parametrize(
-    ("permutations", "said"),
-    [
-        (19, "it helps there"),
-        (5, "cannot be told (6 exchanges of places allow no p below 0.17)"),
-    ],
-)
-def test_calibration_on_few_places_cannot_be_told(permutations, said):
-    document = {"cases": [[]] * 3, "calibration_tests": [calibrated(permutations)]}
-    assert calibration_texts(document)[0].endswith(said)
-
-
-@pytest.mark.parametrize("permutations", [19, 5])
-def test_an_object_that_is_the_drawing_is_called_so(permutations):
-    found = {"own_cosine": 0.999, "left_share": 0.042}
-    test = calibrated(permutations) | {"design": found, "after": found}
-    said = calibration_texts({"cases": [[]] * 3, "calibration_tests": [test]})[0]
-    assert said.endswith("the object is as drawn within 4.2 % of the change, noise included")
-    worse = test | {"design": {"own_cosine": 0.9, "left_share": 0.3}}
-    (said,) = calibration_texts({"cases": [[]] * 3, "calibration_tests": [worse]})
-    assert "as drawn" not in said
-
-
-def test_columns_of_causes_are_titled_as_the_figures_of_calibration():
-    """`left_share` and `own_cosine` stood above columns."""
-    figures = {"own_cosine": 0.9, "all_cosine": 0.8, "left_share": 0.3}
-    (row,) = cause_rows({"freed": {"the design": figures}})
-    test = (
-        calibrated(19) | dict.fromkeys(("design", "after", "null"), figures) | {"p_left_share": 1}
-    )
-    titles = [row["figure"] for row in calibration_rows({"calibration_tests": [test]})]
-    assert list(row) == ["cause", *titles]
-    assert row["share of the change left"] == 0.3
-
-
-def test_calibration_without_exchanges_is_told():
-    document = {"cases": [[]] * 2, "calibration_tests": []}
-    assert "cannot be told: 2 sets of places" in calibration_texts(document)[0]
 
 
 def test_sensors_that_were_not_recorded_are_told_first():
