@@ -144,11 +144,6 @@ def _lowest_within_mm(shape: TipShape, border: Border) -> float:
     return float(tip_heights_mm(shape, points).min())
 
 
-def patch_cells(radius_mm: float) -> TipCells:
-    """Cells of a disk: a patch of uniform pressure."""
-    return tip_cells(IndenterSpec(kind="flat", radius_mm=radius_mm))
-
-
 def moved(patches: Patches, by_mm: Float[np.ndarray, "2"]) -> Patches:
     """The same patches elsewhere on the face."""
     return replace(patches, centre_mm=patches.centre_mm + by_mm)

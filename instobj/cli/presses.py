@@ -38,10 +38,6 @@ def press(
             "ogden:μ1,α1,… (MPa)."
         ),
     ] = "linear",
-    patch: Annotated[
-        tuple[float, float] | None,
-        typer.Option(help="Uniform pressure instead of an indenter: radius mm, pressure MPa."),
-    ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -50,7 +46,7 @@ def press(
     from instobj.commands.presses.command import PressOptions, press_object
 
     options = PressOptions(
-        spec, tuple(at or ()), tuple(jaw or ()), force, material, patch, out, tuple(overrides or ())
+        spec, tuple(at or ()), tuple(jaw or ()), force, material, out, tuple(overrides or ())
     )
     result = press_object(options)
     show(result, as_json)

@@ -11,7 +11,7 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.figures.style import BLUE, PALETTE, RED
+from instobj.figures.style import PALETTE, RED
 
 if TYPE_CHECKING:
     from fem.presses.joint import JointPress
@@ -24,7 +24,7 @@ _AXES = (("ΔX", "#0d3b66"), ("ΔY", RED), ("ΔZ", "#f4b942"))
 class Pressed:
     """Effect of loads together: a row for each, the magnets' motions, and the way there.
 
-    `curve` holds the joint presses on the way, the last one complete; it is empty for patches.
+    `curve` holds the joint presses on the way, the last one complete.
     `alone` holds each press by itself, empty where superposition means nothing or everything.
     """
 
@@ -40,10 +40,7 @@ def draw_loads(spec: ObjectSpec, pressed: Pressed, change: np.ndarray, path: Pat
 
     figure = Figure(figsize=(10, 3.8), layout="constrained")
     travel_axes, signal_axes = figure.subplots(1, 2, width_ratios=(1, 1.5))
-    if pressed.curve:
-        _draw_travel(travel_axes, pressed)
-    else:
-        _draw_sinks(travel_axes, pressed)
+    _draw_travel(travel_axes, pressed)
     _draw_signals(signal_axes, spec, change)
     save_figure(figure, path)
 
@@ -70,15 +67,6 @@ def _draw_travel(axes: Any, pressed: Pressed) -> None:
     axes.set_ylim(0)
     axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8)
-
-
-def _draw_sinks(axes: Any, pressed: Pressed) -> None:
-    names = [f"face {row['face']}\n({row['x mm']:g}, {row['y mm']:g}) mm" for row in pressed.rows]
-    bars = axes.bar(names, [row["mean sink mm"] for row in pressed.rows], color=BLUE, width=0.5)
-    axes.bar_label(bars, [f"{row['N']:.3g} N" for row in pressed.rows], fontsize=8)
-    axes.set(ylabel="mean displacement inwards (mm)", title="Uniform pressure on disks")
-    axes.set_xlim(-0.9, len(names) - 0.1)
-    axes.margins(y=0.15)
 
 
 def _draw_signals(axes: Any, spec: ObjectSpec, change: np.ndarray) -> None:

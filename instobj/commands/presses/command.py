@@ -22,7 +22,6 @@ class PressOptions:
     at, jaws : contact locations `FACE:X,Y[,DEPTH]`; tips of two jaws, `FACE:X,Y[;X,Y]`
     force_n : of every press, or of each jaw
     material : "linear" for small strain, or a hyperelastic one, `NAME[:CONSTANTS]`
-    patch : radius in mm and pressure in MPa, in place of an indenter
     """
 
     spec: Path
@@ -30,7 +29,6 @@ class PressOptions:
     jaws: tuple[str, ...]
     force_n: float | None
     material: str
-    patch: tuple[float, float] | None
     out: Path
     overrides: tuple[str, ...]
 
@@ -46,18 +44,17 @@ def press_object(options: PressOptions) -> dict[str, Any]:
     spec, out, overrides = options.spec, options.out, list(options.overrides)
     linear = options.material == "linear"
     if options.jaws:
-        if options.at or options.patch or not linear or options.force_n is None:
+        if options.at or not linear or options.force_n is None:
             raise InputError(
-                "a grasp has two --jaw and --force, with small strain. Leave --at, --patch and "
-                "--material out"
+                "a grasp has two --jaw and --force, with small strain. Leave --at and --material out"
             )
         return grasp_specification(spec, list(options.jaws), options.force_n, out, overrides)
     places = places_given(options.at)
     if linear:
-        return press_loads(spec, places, options.force_n, options.patch, out, overrides)
-    if len(places) > 1 or options.force_n is not None or options.patch is not None:
+        return press_loads(spec, places, options.force_n, out, overrides)
+    if len(places) > 1 or options.force_n is not None:
         raise InputError(
-            "large strain presses one place to its depth. Give one --at, and leave --force and "
-            "--patch out, or take --material linear"
+            "large strain presses one place to its depth. Give one --at, and leave --force out, or "
+            "take --material linear"
         )
     return press_specification(spec, places[0], options.material, out, overrides)

@@ -1,4 +1,4 @@
-"""Presses with small strain, all together: any indenter to depths or to a force, patches, grasps."""
+"""Presses with small strain, all together: any indenter to depths or to a force, grasps."""
 
 from __future__ import annotations
 
@@ -35,12 +35,10 @@ def press_loads(
     path: Path,
     places: list[Place],
     force_n: float | None,
-    patch: tuple[float, float] | None,
     out: Path,
     overrides: list[str],
 ) -> dict[str, Any]:
-    """Press all places together, to their depths, each to one force, or with uniform patches (radius
-    in mm, MPa).
+    """Press all places together, to their depths or each to one force.
 
     Places that cannot be pressed are reported under "refused"; the others are kept. Results go to
     `runs/<name>/press_<place>_linear/`.
@@ -48,20 +46,15 @@ def press_loads(
     Raises
     ------
     InputError
-        A bad specification, both a force and a patch, or no place that can be pressed.
+        A bad specification, or no place that can be pressed.
     """
     spec = load_spec(path, overrides, table=False)
-    if force_n is not None and patch is not None:
-        raise InputError("give either --force or --patch: a patch has the force of its pressure")
     require_no_slip(spec)
-    alone = len(places) == 1 and patch is None
-    to_depth, whole = force_n is None and patch is None, patch is not None
-    checked = check_places(_with_patch(spec, patch), places, to_depth, whole, over_edges=alone)
+    alone = len(places) == 1
+    checked = check_places(spec, places, to_depth=force_n is None, over_edges=alone)
     require_writable(out)
     run = Run(spec)
-    if patch is not None:
-        pressed = _patches(run, checked.good, patch)
-    elif alone and lies_over_edge(spec, checked.good[0]):
+    if alone and lies_over_edge(spec, checked.good[0]):
         pressed = _press_over_edge(spec, checked.good[0], force_n)
     elif spec.indenter.friction == "sticking":
         pressed = _sticking(run, checked.good, force_n)
@@ -69,7 +62,7 @@ def press_loads(
         if force_n is not None:
             checked = _reachable(run, checked, force_n)
         pressed = _frictionless(run, checked.good, force_n)
-    label = _label(checked.good, (force_n, patch, spec_hash(spec)), patch)
+    label = _label(checked.good, (force_n, spec_hash(spec)))
     return loads_document(
         "press", run, pressed, checked.refused, run_folder(out, spec.name) / label
     )
@@ -110,7 +103,7 @@ def loads_document(
     summary: dict[str, Any] = {"presses": pressed.rows}
     if pressed.alone:
         summary["superposition of single presses"] = superposition_row(pressed, changes)
-    if pressed.curve and (core := pressed.curve[-1].core):
+    if core := pressed.curve[-1].core:
         summary["shell lifted off its core"] = {
             "largest opening mm": float(core.opening_mm.max()),
             "share of the core's vertices": float((core.opening_mm > 0).mean()),
@@ -227,25 +220,6 @@ def _sticking(run: Run, places: Sequence[Place], force_n: float | None) -> Press
     return Pressed(_rows(curve[-1], []), curve[-1].motion, curve, [])
 
 
-def _patches(run: Run, places: Sequence[Place], patch: tuple[float, float]) -> Pressed:
-    from fem.presses.patch_load import load_patches
-
-    load = load_patches(run.spec, response_of(run), [place.tip for place in places], *patch)
-    rows = [
-        {
-            "face": place.face,
-            "x mm": place.x_mm,
-            "y mm": place.y_mm,
-            "N": force,
-            "mean sink mm": sunk,
-        }
-        for place, force, sunk in zip(
-            places, load.force_n.tolist(), load.sunk_mm.tolist(), strict=True
-        )
-    ]
-    return Pressed(rows, load.motion, [], [])
-
-
 def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]]:
     rows = []
     for index, tip in enumerate(press.tips):
@@ -284,18 +258,7 @@ def _reachable(run: Run, checked: CheckedPlaces, force_n: float) -> CheckedPlace
     return CheckedPlaces(tuple(good), tuple(refused))
 
 
-def _with_patch(spec: ObjectSpec, patch: tuple[float, float] | None) -> ObjectSpec:
-    """The specification with a disk in place of the indenter, for checks of where it lands."""
-    if patch is None or not patch[0] > 0:
-        return spec
-    from design.spec.mechanics import IndenterSpec
-
-    disk = IndenterSpec(kind="flat", radius_mm=patch[0])
-    return spec.changed(indenter=disk)
-
-
-def _label(places: Sequence[Place], how: tuple[Any, ...], patch: object) -> str:
-    kind = "linear" if patch is None else "patch"
+def _label(places: Sequence[Place], how: tuple[Any, ...]) -> str:
     if len(places) == 1:
-        return f"press_{places[0].face}_{places[0].x_mm:g}_{places[0].y_mm:g}_{kind}"
-    return f"presses_{hashlib.sha256(repr((places, how)).encode()).hexdigest()[:8]}_{kind}"
+        return f"press_{places[0].face}_{places[0].x_mm:g}_{places[0].y_mm:g}_linear"
+    return f"presses_{hashlib.sha256(repr((places, how)).encode()).hexdigest()[:8]}_linear"

@@ -77,15 +77,9 @@ def jaw_given(text: str) -> list[Place]:
 
 
 def check_places(
-    spec: ObjectSpec,
-    places: list[Place],
-    to_depth: bool,
-    whole: bool = False,
-    over_edges: bool = False,
+    spec: ObjectSpec, places: list[Place], to_depth: bool, over_edges: bool = False
 ) -> CheckedPlaces:
-    """Separate places that can be pressed from the others.
-
-    `whole`: nothing may hang over a border. `over_edges`: the tip may roll over it.
+    """Separate places that can be pressed from the others; `over_edges`: the tip may roll over a border.
 
     Raises
     ------
@@ -95,7 +89,7 @@ def check_places(
     good, refused = [], []
     for place in places:
         try:
-            _require_place(spec, place, to_depth, whole, over_edges)
+            _require_place(spec, place, to_depth, over_edges)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:
@@ -117,9 +111,7 @@ def _place_at(text: str, depth_mm: float) -> Place:
         raise InputError(f"{text!r} is no contact location FACE:X,Y in mm. {_EXAMPLE}") from None
 
 
-def _require_place(
-    spec: ObjectSpec, place: Place, to_depth: bool, whole: bool, over_edges: bool
-) -> None:
+def _require_place(spec: ObjectSpec, place: Place, to_depth: bool, over_edges: bool) -> None:
     from design.layout.body import face_frames
     from design.layout.tips import footprint_mm, landing_mm, path_mm, tip_shape
 
@@ -135,7 +127,7 @@ def _require_place(
     if over_edges and lies_over_edge(spec, place):
         return
     frame = frames[place.face]
-    whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
+    whole = spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
     hangs = np.array(frame.ends) & (not whole)
     half, at_place = np.array(frame.half_lengths_mm), np.array([place.x_mm, place.y_mm])
     landing = landing_mm(spec.indenter, at_place, -half, half)

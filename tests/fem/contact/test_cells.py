@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.spec.object import IndenterSpec
 from fem.contact.half_space import HAT_OWN, SQUARE_OWN, Patches, joined
-from fem.contact.indenter import hemisphere_profile_mm, moved, patch_cells, tip_cells
+from fem.contact.indenter import hemisphere_profile_mm, moved, tip_cells
 
 
 def whole(cells):
@@ -48,7 +48,7 @@ def test_large_tips_have_cells_of_1_7_mm_at_most_and_every_tip_its_own():
     large = tip_cells(IndenterSpec(kind="cuboid", size_mm=(30.0, 30.0)))
     assert_allclose(large.patches.area_mm2, (30 / 18) ** 2, rtol=1e-9)
     pair = tip_cells(IndenterSpec(kind="flat", radius_mm=2.0, tip_count=2))
-    one = patch_cells(2.0)
+    one = tip_cells(IndenterSpec(kind="flat", radius_mm=2.0))
     count = len(one.height_mm)
     assert list(pair.tip) == [0] * count + [1] * count
     assert_allclose(pair.patches.area_mm2, np.tile(one.patches.area_mm2, 2), rtol=1e-12)

@@ -1,12 +1,13 @@
-"""Uniform pressure on disks: half-space, superposition, reciprocity, presses to a force."""
+"""Cells under uniform pressure against the half-space; presses to a force; the core's reaction."""
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.errors import InputError
+from design.spec.mechanics import IndenterSpec
+from fem.contact.indenter import moved, tip_cells
+from fem.contact.refined import joint_compliance, refined_face, spread_cells
 from fem.presses.joint import Tip, press_tips
-from fem.presses.patch_load import load_patches
 from fem.presses.to_force import press_to_force
 from tests.support.mechanics.block_cases import (
     known_block_response,
@@ -25,48 +26,19 @@ def test_a_disk_of_pressure_sinks_as_on_the_half_space(edge_mm, cells, within):
     """
     nu, radius, pressure = 0.4999, 2.0, 0.01
     exact = 16 * pressure * radius / (3 * np.pi * plane_strain_modulus_mpa(nu))
-    errors = []
+    errors, disk = [], IndenterSpec(kind="flat", radius_mm=radius)
     for size in (20.0, 40.0):
         block = known_block_response(nu, size, size, edge_mm, cells)
-        patch = load_patches(spec_of(nu), block, [Tip(1, 0.6, -0.9)], radius, pressure)
-        assert_allclose(patch.force_n, np.pi * radius**2 * pressure, rtol=0.003)
-        errors.append(patch.sunk_mm[0] / exact - 1)
+        tip, place = tip_cells(disk), np.array([0.6, -0.9])
+        face = refined_face(block, 0, spec_of(nu).changed(indenter=disk))
+        spread = spread_cells(face, moved(tip.patches, place), place)
+        assert_allclose(tip.patches.area_mm2.sum(), np.pi * radius**2, rtol=0.003)
+        moments = joint_compliance(block, [spread], spec_of(nu)) @ np.full(
+            len(tip.height_mm), pressure
+        )
+        errors.append(moments.sum() / tip.patches.area_mm2.sum() / exact - 1)
     assert errors[0] < errors[1] < 0
     assert abs(2 * errors[1] - errors[0]) < within, 2 * errors[1] - errors[0]
-
-
-def test_patches_superpose_and_pull_as_they_push(rigid_spec, rigid_response):
-    places = [Tip(3, 4.0, -6.0), Tip(5, -2.0, 7.0)]
-    both = load_patches(rigid_spec, rigid_response, places, 3.0, 0.02)
-    each = [load_patches(rigid_spec, rigid_response, [place], 3.0, 0.02) for place in places]
-    summed = each[0].motion + each[1].motion
-    assert_allclose(both.motion, summed, rtol=0, atol=1e-12 * abs(summed).max())
-    pulled = load_patches(rigid_spec, rigid_response, places, 3.0, -0.02)
-    assert_allclose(pulled.motion, -both.motion, rtol=0, atol=1e-15)
-    assert both.motion[10:15, 0].min() < -0.005  # face 3 is +x: the magnet below goes inwards
-
-
-@pytest.mark.parametrize(
-    ("place", "radius", "pressure", "words"),
-    [
-        (Tip(1, 0.0, 0.0), -1.0, 0.01, "positive radius"),
-        (Tip(1, 0.0, 0.0), 0.0, 0.01, "positive radius"),
-        (Tip(1, 0.0, 0.0), float("nan"), 0.01, "positive radius"),
-        (Tip(1, 0.0, 0.0), 1.0, float("inf"), "positive radius"),
-        (Tip(1, 0.0, 0.0), 3.0, 0.0, "positive radius"),
-        (Tip(1, 19.0, 0.0), 3.0, 0.01, "hangs over the border"),
-        (Tip(1, 0.0, 0.0), 25.0, 0.01, "more than face 1"),
-        (Tip(6, 0.0, 0.0), 3.0, 0.01, "not a sensed face"),
-    ],
-)
-def test_impossible_patches_are_refused(rigid_spec, rigid_response, place, radius, pressure, words):
-    with pytest.raises(InputError, match=words):
-        load_patches(rigid_spec, rigid_response, [place], radius, pressure)
-
-
-def test_a_small_disk_bears_its_pressure_over_its_area(rigid_spec, rigid_response):
-    patch = load_patches(rigid_spec, rigid_response, [Tip(1, 0.0, 0.0)], 0.9, 0.02)
-    assert_allclose(patch.force_n, np.pi * 0.9**2 * 0.02, rtol=0.01)
 
 
 def test_three_presses_to_one_force_each(rigid_spec, rigid_response):
