@@ -41,7 +41,7 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from fem.candidates.motions import CandidateMotions, candidate_lattices
 from fem.candidates.presses import presses_at_forces, simulate_candidates
 from fem.linear.response import build_response
-from fem.mesh.tetrahedra import magnet_free_mesh, tetrahedralize, without_magnets
+from fem.mesh.tetrahedra import magnet_free_mesh, tetrahedralize
 
 FACE = 3
 RATE_TARGET, RATIO_TARGET, ERROR_TARGET, RANK_TARGET = 1e4, 1e3, 0.05, 0.95
@@ -67,7 +67,7 @@ def stored_motions(spec: ObjectSpec, folder: Path, quick: bool) -> tuple[Candida
     """Candidate motions on a magnet-free mesh, and the processor time that they took."""
     start = time.process_time()
     mesh = magnet_free_mesh(spec)
-    response = build_response(mesh, without_magnets(spec))
+    response = build_response(mesh, spec)
     lattices = candidate_lattices(spec, pitch_mm=3.0 if quick else 2.0)
     motions = simulate_candidates(spec, mesh, response, lattices, folder)
     return motions, time.process_time() - start

@@ -90,7 +90,7 @@ class SlipSpec(SpecPart):
 
 
 class MechanicsSpec(SpecPart):
-    """Finite element, the model of the magnets in the silicone, and its hold on the core.
+    """Finite element of the silicone, and its hold on the core.
 
     "taylor-hood" takes Poisson ratios from 0.01 to 0.5; "p2" is for foams and lattices, −0.3 to 0.45;
     "p2-p0" (symmetric positive definite, a little too soft) up to 0.4999. On a "frictionless" core the
@@ -99,7 +99,6 @@ class MechanicsSpec(SpecPart):
     """
 
     element: Literal["taylor-hood", "p2-p0", "p2"] = "taylor-hood"
-    magnets: Literal["rigid", "points"] = "rigid"
     interface: Literal["bonded", "frictionless"] = "bonded"
     slip: SlipSpec = SlipSpec()
     correction: Literal["none", "large-strain"] = "none"

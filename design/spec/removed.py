@@ -54,6 +54,7 @@ REMOVED = {
     "magnets.switching": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
     "magnets.temperature_c": "give magnets.remanence_t of warm magnets, 0.11 % less a kelvin above 20 °C",
     "magnets.turns": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "mechanics.magnets": "magnets are rigid",
     "mechanics.element = p1": "linear tetrahedra lock. Take taylor-hood",
     "mechanics.slip.model": "the shell follows its slipped core by finite elements",
     "mesh.magnet_sides": "magnets are prisms of 16 sides, of 8 where mesh.rim_edge_ratio is 1",

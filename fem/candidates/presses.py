@@ -42,7 +42,7 @@ from fem.linear.response import (
     face_pressure_loads,
 )
 from fem.linear.sparse import rows_of, shape_of
-from fem.mesh.tetrahedra import TetMesh, without_magnets
+from fem.mesh.tetrahedra import TetMesh
 from fem.presses.table import press_places, surface_weights_mm2
 
 FORCE_SHARES = (0.8, 1.2)
@@ -110,7 +110,6 @@ def simulate_candidates(
     SingularSystemError
         The matrix could not be factored.
     """
-    spec = without_magnets(spec)
     presses = []
     for index, surface in enumerate(response.surfaces):
         make = partial(presses_at_forces, spec, response, index, force_shares)

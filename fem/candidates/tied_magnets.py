@@ -67,7 +67,7 @@ def rigid_magnet_response(
 
     Parameters
     ----------
-    system, factor : `elastic_system(mesh, without_magnets(spec))` and its matrix, factored
+    system, factor : `elastic_system(mesh, spec)` on a magnet-free mesh, and its matrix, factored
     plain : `build_response` of the same
     degree : of the polynomials across the magnet; 3 (degree + 1)(degree + 2) functionals a magnet
 

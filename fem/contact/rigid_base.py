@@ -112,9 +112,7 @@ def _pattern_share(
 def rigid_bases(
     spec: ObjectSpec, frame: FaceFrame, surface: FaceSurface, hats: Patches
 ) -> tuple[RigidBase, ...]:
-    """Rigid bodies under one face; none where magnets are points. They slip as the face over them."""
-    if spec.mechanics.magnets != "rigid":
-        return ()
+    """Rigid bodies under one face. They slip as the face over them."""
     layout, bases = shell_body_layout(spec), []
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     for i in np.flatnonzero(layout.face == frame.number):

@@ -19,7 +19,6 @@ from scipy.spatial import Delaunay
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, chosen, joined, traction_compliance
 from fem.contact.refined import (
@@ -31,8 +30,13 @@ from fem.contact.refined import (
 )
 from fem.contact.rigid_base import rigid_bases
 from fem.linear.factorization import compliance_of_loads
-from fem.linear.magnets import mean_motion_functionals
-from fem.linear.response import ElasticSystem, elastic_system, face_facets, face_surface
+from fem.linear.response import (
+    ElasticSystem,
+    elastic_system,
+    face_facets,
+    face_surface,
+    last_columns,
+)
 from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.tetrahedra import TetMesh
 
@@ -79,7 +83,7 @@ def traction_response(
         )
         for direction in range(3)
     ]
-    condensed = condensed_compliance(system, spec, mesh, columns_of(tractions))
+    condensed = condensed_compliance(system, mesh, columns_of(tractions))
     hats = [chosen(spread.face.hats, spread.rows) for spread in spreads]
     count = 3 * sum(len(group.area_mm2) for group in hats)
     spread_matrix = np.asarray(scipy.linalg.block_diag(*(spread.matrix for spread in spreads)))
@@ -128,16 +132,11 @@ def traction_loads(frame: FaceFrame, direction: int, moments: sp.csc_matrix) -> 
 
 
 def condensed_compliance(
-    system: ElasticSystem, spec: ObjectSpec, mesh: TetMesh, tractions: sp.csr_matrix
+    system: ElasticSystem, mesh: TetMesh, tractions: sp.csr_matrix
 ) -> np.ndarray:
     """Mutual compliance of nodal loads and all magnets' motions."""
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
-    if spec.mechanics.magnets == "rigid":
-        count = 6 * len(shell_body_layout(spec).face)
-        magnets = sp.eye(motions, count, k=count - motions, format="csr")
-    else:
-        magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
-    loads = columns_of([system.motion_basis.T @ tractions, magnets])
+    loads = columns_of([system.motion_basis.T @ tractions, last_columns(motions, 6 * mesh.magnets)])
     padding = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
     return compliance_of_loads(system.matrix, rows_of([loads, padding])).matrix
 

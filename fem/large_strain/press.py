@@ -21,7 +21,6 @@ from fem.large_strain.single_press import (
     sphere_centre_mm,
 )
 from fem.large_strain.sphere_contact import contact_state, normal_force_n
-from fem.linear.magnets import mean_motion_functionals
 from fem.mesh.tetrahedra import TetMesh
 from fem.presses.shape import FacePressure, deformed_shape, face_vertices, shape_of_unknowns
 
@@ -94,17 +93,12 @@ def row_of_state(setting: PressSetting, depth_mm: float, state: PressState) -> P
     problem, face = setting.problem, setting.problem.face
     centre = sphere_centre_mm(setting, depth_mm)
     contact = contact_state(face, state.displacement_mm, centre, problem.radius_mm)
-    if setting.rigid_magnets:
-        turn = Rotation.from_matrix(state.rotation).as_rotvec()
-        motion = np.column_stack([state.shift_mm, turn])
-    else:
-        functionals = mean_motion_functionals(setting.mesh, setting.system.space)
-        motion = (functionals @ state.displacement_mm).reshape(-1, 6)
+    turn = Rotation.from_matrix(state.rotation).as_rotvec()
     return PressRow(
         depth_mm,
         normal_force_n(face, contact, state.contact_mpa),
         float(face.weights_mm2[state.contact_mpa > 0].sum()),
-        motion,
+        np.column_stack([state.shift_mm, turn]),
     )
 
 

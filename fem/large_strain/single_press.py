@@ -23,7 +23,7 @@ from fem.large_strain.newton import PressProblem
 from fem.large_strain.sphere_contact import contact_face
 from fem.linear.elements import TaylorHood
 from fem.linear.factorization import solve_symmetric
-from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals
+from fem.linear.magnets import magnet_of_nodes
 from fem.linear.material import LameConstants, lame_constants
 from fem.linear.response import (
     ElasticSystem,
@@ -56,10 +56,6 @@ class PressSetting:
     xy_mm: Float[np.ndarray, "2"]
     near: Int[np.ndarray, "candidate"]
     problem: PressProblem
-
-    @property
-    def rigid_magnets(self) -> bool:
-        return self.spec.mechanics.magnets == "rigid"
 
 
 @dataclass(frozen=True)
@@ -121,12 +117,8 @@ def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) ->
     radius = setting.spec.indenter.radius_mm
     profile = profile_moments_mm3(setting.surface, setting.xy_mm[None], radius)[0, near]
     pressures = contact_pressures((compliance + compliance.T) / 2, profile, weights, depths_mm)
-    magnets = len(shell_body_layout(setting.spec).face)
-    if setting.rigid_magnets:
-        moved = motions[-6 * magnets :]
-    else:
-        functionals = mean_motion_functionals(setting.mesh, system.space)
-        moved = functionals @ (system.motion_basis @ motions)
+    magnets = setting.mesh.magnets
+    moved = motions[len(motions) - 6 * magnets :]
     rows = [
         PressRow(
             float(depth),
@@ -228,8 +220,7 @@ def press_problem(
     near: np.ndarray,
 ) -> PressProblem:
     space = system.space
-    rigid = spec.mechanics.magnets == "rigid"
-    owner = magnet_of_nodes(mesh, space) if rigid else np.full(space.node_count, -1)
+    owner = magnet_of_nodes(mesh, space)
     moved = np.diff(system.motion_basis.indptr)[: space.node_count] > 0
     vertices = np.unique(np.asarray(system.mesh.facets)[:, facets])[near]
     pressure_nodes = space.pressure_nodes
@@ -241,7 +232,7 @@ def press_problem(
         space.nodes_mm,
         moved & (owner < 0),
         owner,
-        shell_body_layout(spec).centre_mm if rigid else np.zeros((0, 3)),
+        shell_body_layout(spec).centre_mm[: mesh.magnets],
         contact_face(system.mesh, facets, vertices, frame),
         spec.indenter.radius_mm,
     )

@@ -22,7 +22,6 @@ from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import prescribed_loads, rigid_interface_motions
 from fem.linear.factorization import solve_symmetric
-from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_facets
 from fem.linear.sparse import shape_of
 from fem.mesh.tetrahedra import TetMesh
@@ -100,10 +99,7 @@ def move_interface(
     u = basis @ unknowns[:motions] + lifting @ amplitudes
     pressure = unknowns[motions:]
     internal = operators.stiffness @ u + operators.divergence[space.pressure_nodes].T @ pressure
-    if spec.mechanics.magnets == "rigid":
-        magnets = unknowns[:motions][-6 * len(shell_body_layout(spec).face) :]
-    else:
-        magnets = mean_motion_functionals(mesh, space) @ u
+    magnets = unknowns[motions - 6 * mesh.magnets : motions]
     return InterfaceSolution(u.reshape(3, -1), magnets.reshape(-1, 6), lifting.T @ internal)
 
 

@@ -1,8 +1,6 @@
-"""Magnets in the silicone: rigid bodies tied to it, or ideal points that only follow it.
+"""Magnets in the silicone: rigid bodies tied to it.
 
-A rigid magnet's nodes move by u = c + ω × r; its six motions are unknowns of the system. An ideal
-point has no stiffness: its motion is the mean displacement and the mean rotation
-½ curl u over the volume that the magnet would take.
+A magnet's nodes move by u = c + ω × r; its six motions are unknowns of the system.
 """
 
 from __future__ import annotations
@@ -10,10 +8,10 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Bool, Float, Int
-from skfem import Basis, LinearForm
+from skfem import Basis
 
 from fem.linear.elements import DisplacementSpace, free_motion_basis
-from fem.linear.sparse import columns_of, rows_of
+from fem.linear.sparse import columns_of
 from fem.mesh.tetrahedra import TetMesh
 
 _LEVI_CIVITA = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
@@ -52,41 +50,6 @@ def magnet_of_nodes(mesh: TetMesh, space: DisplacementSpace) -> Int[np.ndarray, 
     """The magnet that each node belongs to (its surface included), −1 for none."""
     all_dofs = Basis(space.mesh, space.displacement.elem, intorder=1).element_dofs
     owner = np.full(space.node_count, -1)
-    for magnet in range(mesh.magnet.max() + 1):
+    for magnet in range(mesh.magnets):
         owner[np.unique(all_dofs[:, mesh.magnet == magnet])] = magnet
     return owner
-
-
-def mean_motion_functionals(mesh: TetMesh, space: DisplacementSpace) -> sp.csr_matrix:
-    """Rows: mean displacement, then mean ½ curl u, over each magnet's volume.
-
-    Shape (6·magnet, 3·node).
-    """
-    rows = [sp.csr_matrix((0, 3 * space.node_count))]
-    for magnet in range(mesh.magnet.max() + 1):
-        basis = Basis(
-            space.mesh,
-            space.displacement.elem,
-            elements=np.flatnonzero(mesh.magnet == magnet),
-            intorder=2,
-        )
-        volume = basis.dx.sum()
-        value = sp.csr_matrix(_value.assemble(basis) / volume)
-        slope = [sp.csr_matrix(_slope(a).assemble(basis) / volume) for a in range(3)]
-        zero = sp.csr_matrix((1, space.node_count))
-        for i in range(3):
-            rows.append(columns_of([value if j == i else zero for j in range(3)]))
-        for _, j, k in _LEVI_CIVITA:  # ω_i = ½ (∂_j u_k − ∂_k u_j)
-            blocks = [zero] * 3
-            blocks[k], blocks[j] = slope[j] / 2, -slope[k] / 2
-            rows.append(columns_of(blocks))
-    return rows_of(rows)
-
-
-@LinearForm
-def _value(v, _):
-    return v
-
-
-def _slope(a: int) -> LinearForm:
-    return LinearForm(lambda v, _: v.grad[a])

@@ -41,7 +41,7 @@ from fem.linear.factorization import (
     compliance_of_loads,
 )
 from fem.linear.layers import layer_stiffness
-from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
+from fem.linear.magnets import magnet_of_nodes, rigid_motion_basis
 from fem.linear.material import lame_constants
 from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.entities import tet_mesh
@@ -115,8 +115,7 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     pressures (Taylor–Hood only).
     """
     skfem_mesh = tet_mesh(mesh.points_mm, mesh.tets)
-    rigid = spec.mechanics.magnets == "rigid"
-    elements = np.flatnonzero(mesh.magnet == SILICONE) if rigid else None
+    elements = np.flatnonzero(mesh.magnet == SILICONE) if mesh.magnets else None
     space = element_space(skfem_mesh, spec.mechanics.element, elements)
     silicone = spec.silicone
     constants = lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio)
@@ -214,10 +213,7 @@ def system_loads(
     the magnets' motions."""
     surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
-    if spec.mechanics.magnets == "rigid":
-        magnets = last_columns(motions, 6 * len(shell_body_layout(spec).face))
-    else:
-        magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
+    magnets = last_columns(motions, 6 * mesh.magnets)
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
     no_pressure = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
     return surfaces, rows_of([loads, no_pressure])
@@ -368,9 +364,9 @@ def last_columns(size: int, count: int) -> sp.csr_matrix:
 
 
 def motion_basis_of(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
-    """Return what nothing holds is free, rigid magnets are six motions each."""
+    """Return what nothing holds as free, and magnets as six motions each."""
     free = space.elastic_nodes & ~held_components(space.nodes_mm, spec)
-    if spec.mechanics.magnets == "points":
+    if not mesh.magnets:
         return free_motion_basis(free)
     owner = magnet_of_nodes(mesh, space)
     centres = shell_body_layout(spec).centre_mm

@@ -41,6 +41,11 @@ class TetMesh:
     tets: Int[np.ndarray, "tet 4"]
     magnet: Int[np.ndarray, "tet"]
 
+    @property
+    def magnets(self) -> int:
+        """Number of rigid bodies; 0 in a shell without magnets, whose mechanics then know none."""
+        return int(self.magnet.max()) + 1
+
 
 def tetrahedralize(
     spec: ObjectSpec,
@@ -102,15 +107,6 @@ def tetrahedralize_for_press(spec: ObjectSpec, face: int, x_mm: float, y_mm: flo
         return np.interp(np.hypot(np.clip(across, 0, None), local[:, 2]), reach, edges)
 
     return tetrahedralize(spec, edge_length)
-
-
-def without_magnets(spec: ObjectSpec) -> ObjectSpec:
-    """The same object for mechanics on a magnet-free mesh: no tie, no stiffness of magnets.
-
-    `fem.linear.response` then gives the surface compliance alone, with no magnet among its loads.
-    """
-    mechanics = spec.mechanics.changed(magnets="points")
-    return spec.changed(mechanics=mechanics)
 
 
 def magnet_free_mesh(spec: ObjectSpec) -> TetMesh:

@@ -16,7 +16,6 @@ from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from fem.linear.response import ResponseOperator
-from fem.mesh.tetrahedra import without_magnets
 from fem.presses.results import PressForces
 from fem.presses.table import Progress, simulate_lattice
 
@@ -56,7 +55,7 @@ def presses_without_magnets(
         As `simulate_lattice`.
     """
     depth = min(spec.press.depths_mm, key=lambda depth: abs(depth - DEPTH_MM))
-    return simulate_lattice(without_magnets(spec), response, progress, depths_mm=(depth,))[0]
+    return simulate_lattice(spec, response, progress, depths_mm=(depth,))[0]
 
 
 def save_compliance_csv(

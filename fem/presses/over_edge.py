@@ -138,9 +138,8 @@ def edge_presser(
     across = (system.mesh.p[:, vertices].T - place.point_mm) @ place.axes[:, :2]
     under = np.linalg.norm(across, axis=1) < spec.indenter.radius_mm
     moments, vertices = moments[:, under], vertices[under]
-    condensed = condensed_compliance(
-        system, spec, mesh, rows_of([-part * moments for part in place.outward])
-    )
+    tractions = rows_of([-part * moments for part in place.outward])
+    condensed = condensed_compliance(system, mesh, tractions)
     weights, gaps = _moments(system.mesh, facets, vertices, place, spec)
     count = len(vertices)
     compliance, motion = condensed[:count, :count], condensed[count:, :count]

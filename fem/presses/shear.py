@@ -20,11 +20,9 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.positions import shell_body_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from fem.linear.factorization import Factorization
-from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
 from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.tetrahedra import TetMesh
@@ -97,10 +95,10 @@ def motions_under_traction(
     Vertices run face by face as in the response operator; tractions along the face's x, then y.
     """
     system = elastic_system(mesh, spec)
-    motions = shape_of(system.motion_basis)[1]
+    motions, count = shape_of(system.motion_basis)[1], 6 * mesh.magnets
     loads = system.motion_basis.T @ _tangential_loads(system, spec)
-    right_sides = np.zeros((shape_of(system.matrix)[0], 6 * len(shell_body_layout(spec).face)))
-    right_sides[:motions] = _magnet_loads(mesh, system, spec)
+    right_sides = np.zeros((shape_of(system.matrix)[0], count))
+    right_sides[:motions] = np.eye(motions, count, count - motions)  # the last motions are theirs
     with Factorization(system.matrix) as factor:
         adjoint = factor.solve(right_sides)[:motions]
     return np.asarray(loads.T @ adjoint).reshape(2, -1, adjoint.shape[1]).swapaxes(0, 1)
@@ -121,17 +119,6 @@ def _tangential_loads(system: ElasticSystem, spec: ObjectSpec) -> sp.csr_matrix:
         for name, axis in (("x", frame.x), ("y", frame.y)):
             loads_by_axis[name].append(rows_of([component * moments for component in axis]))
     return columns_of([columns_of(loads_by_axis["x"]), columns_of(loads_by_axis["y"])])
-
-
-def _magnet_loads(
-    mesh: TetMesh, system: ElasticSystem, spec: ObjectSpec
-) -> Float[np.ndarray, "motion load"]:
-    """Unit forces and moments on every magnet, on the unknown motions."""
-    motions, count = shape_of(system.motion_basis)[1], 6 * len(shell_body_layout(spec).face)
-    if spec.mechanics.magnets == "rigid":  # the last unknown motions are theirs
-        return np.eye(motions, count, count - motions)
-    rows = sp.csr_matrix(mean_motion_functionals(mesh, system.space) @ system.motion_basis)
-    return rows.toarray().T
 
 
 def save_shear(shear: ShearMotions, path: Path | str) -> None:

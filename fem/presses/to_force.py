@@ -26,7 +26,8 @@ def press_to_force(
     groups: Sequence[Sequence[Tip]],
     force_n: float,
 ) -> JointPress:
-    """Press every group of indenters, each group at one depth, until each bears `force_n` in all.
+    """Press every group of indenters, each group at one depth, until each bears `force_n` in all: two jaws,
+    for a grasp.
 
     Solved by a quasi-Newton (Broyden) iteration on the groups' depths, to 1e-6 of the force.
 
@@ -44,20 +45,6 @@ def press_to_force(
     return press_on_core(spec, response, press)
 
 
-def squeeze(
-    spec: ObjectSpec,
-    response: ResponseOperator,
-    jaws: tuple[Sequence[Tip], Sequence[Tip]],
-    force_n: float,
-) -> JointPress:
-    """Squeeze the object between two rigid jaws until each presses with `force_n` in all.
-
-    The object hangs freely between the jaws, so their forces are equal; the tips of one jaw share
-    its depth. Raises as `press_to_force`.
-    """
-    return press_to_force(spec, response, jaws, force_n)
-
-
 def squeeze_path(
     spec: ObjectSpec,
     response: ResponseOperator,
@@ -65,9 +52,10 @@ def squeeze_path(
     force_n: Sequence[float],
     faces: dict[int, RefinedFace] | None = None,
 ) -> tuple[JointPress, ...]:
-    """`squeeze` to several forces, at the cost of little more than one.
+    """Squeeze the object between two rigid jaws to several forces, at the cost of little more than one.
 
-    A frictionless core holds the shell both ways here.
+    It hangs freely between them, so that their forces are equal; the tips of one jaw share its depth. A
+    frictionless core holds the shell both ways here.
     """
     press = presser(spec, response, [tip for jaw in jaws for tip in jaw], faces)
     path: list[JointPress] = []

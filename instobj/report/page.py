@@ -190,7 +190,7 @@ def _mechanics(
         ["sealed volume (error)", f"{mesh['volume_mm3']:.1f} mm³ ({mesh['volume_error']:.1e})"],
         ["discretisation error (rms, estimate)", error_text(error)],
         ["unknowns, condensed to", f"{response['unknowns']}, {response['condensed_unknowns']}"],
-        ["model", f"{spec.mechanics.element}, magnets {spec.mechanics.magnets}, small strain, "
+        ["model", f"{spec.mechanics.element}, magnets rigid, small strain, "
          f"correction: {spec.mechanics.correction}"],
         ["Young's modulus", modulus_text(spec)],
         ["force at a given depth, over that uncertainty range", force_spread_text(spec)],

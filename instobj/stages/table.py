@@ -61,14 +61,12 @@ _ELASTIC = (
     "silicone.poisson_ratio",
     "silicone.layers",
     "mechanics.element",
-    "mechanics.magnets",
     "mechanics.interface",
     "mechanics.slip.rim",
 )
 _NUISANCES = ("limits.use", "tolerances.earth_field_ut", "tolerances.temperature_k")
 """Keys that `estimator.signals.nuisances` reads next to the signals' own keys."""
 _PRESSED = ("contact_grid", "indenter", "press", "dents")
-_ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
 STAGES: dict[str, Stage] = {
     "build": Stage(
@@ -129,7 +127,7 @@ STAGES: dict[str, Stage] = {
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),
-        _ELASTIC_WITHOUT_MAGNETS,
+        _ELASTIC,
         make_plain_response,
         version=2,
     ),

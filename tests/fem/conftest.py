@@ -4,7 +4,7 @@ import pytest
 
 from fem.linear import factorization
 from fem.linear.response import elastic_system
-from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, all_silicone, paper_cube
 from tests.support.mechanics.kept_factors import kept_solver
 from tests.support.objects import small_object
 from tests.support.shared import shared_mesh, shared_response
@@ -20,12 +20,7 @@ def factors_kept():
 
 @pytest.fixture(scope="session")
 def rigid_spec():
-    return paper_cube("rigid", COARSE_EDGES_MM)
-
-
-@pytest.fixture(scope="session")
-def points_spec():
-    return paper_cube("points", COARSE_EDGES_MM)
+    return paper_cube(COARSE_EDGES_MM)
 
 
 @pytest.fixture(scope="session")
@@ -39,8 +34,8 @@ def rigid_response(coarse_mesh, rigid_spec):
 
 
 @pytest.fixture(scope="session")
-def points_response(coarse_mesh, points_spec):
-    return shared_response(coarse_mesh, points_spec)
+def plain_response(coarse_mesh, rigid_spec):
+    return shared_response(all_silicone(coarse_mesh), rigid_spec)
 
 
 @pytest.fixture(scope="session")
@@ -49,8 +44,8 @@ def rigid_system(coarse_mesh, rigid_spec):
 
 
 @pytest.fixture(scope="session")
-def points_system(coarse_mesh, points_spec):
-    return elastic_system(coarse_mesh, points_spec)
+def plain_system(coarse_mesh, rigid_spec):
+    return elastic_system(all_silicone(coarse_mesh), rigid_spec)
 
 
 @pytest.fixture(scope="session")

@@ -38,7 +38,7 @@ def grasp_specification(
         friction, or a force that is not reached.
     """
     from fem.presses.joint import press_tips
-    from fem.presses.to_force import squeeze
+    from fem.presses.to_force import press_to_force
 
     spec = load_spec(path, overrides, table=False)
     first, second = _two_jaws(spec, jaws)
@@ -60,7 +60,7 @@ def grasp_specification(
         return press_tips(spec, response, tips, depths)
 
     jaws_tips = ([place.tip for place in first], [place.tip for place in second])
-    final = squeeze(spec, response, jaws_tips, force_n)
+    final = press_to_force(spec, response, jaws_tips, force_n)
     pressed = joint_pressed(spec, response, final, step)
     label = f"grasp_{first[0].face}_{second[0].face}_{force_n:g}N"
     document = loads_document("grasp", run, pressed, (), run_folder(out, spec.name) / label)

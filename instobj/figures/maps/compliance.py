@@ -36,8 +36,6 @@ def draw_compliance(
     for name, values in shown.items():
         without = name == WITHOUT_MAGNETS
         what = "magnets left out (drawn where they would be)" if without else "magnets rigid"
-        if spec.mechanics.magnets == "points" and not without:
-            what = "magnets as ideal points"
         softest, stiffest = np.nanmax(values), np.nanmin(values)
         both = " One scale with and without magnets." if without_magnets is not None else ""
         note = (

@@ -52,11 +52,9 @@ def make_plain_response(context: StageContext, folder: Path) -> None:
     """Surface compliance of the shell without magnets."""
     from fem.linear.factorization import quicker_by
     from fem.linear.response import build_response, save_response
-    from fem.mesh.tetrahedra import without_magnets
 
     context.step(f"assembling, factoring and condensing{quicker_by()}")
-    mesh = context.read(PLAIN_MESH)
-    save_response(build_response(mesh, without_magnets(context.spec)), folder)
+    save_response(build_response(context.read(PLAIN_MESH), context.spec), folder)
 
 
 def make_plain_presses(context: StageContext, folder: Path) -> None:
@@ -118,13 +116,12 @@ def _factored(
 ) -> tuple[ElasticSystem, Factorization, ResponseOperator]:
     from fem.linear.factorization import Factorization
     from fem.linear.response import elastic_system
-    from fem.mesh.tetrahedra import without_magnets
 
     folder = context.inputs[PLAIN_RESPONSE.stage]
     if _shell.parts is None or _shell.folder != folder:
         forget_shell()
         response = context.read(PLAIN_RESPONSE)
-        system = elastic_system(context.read(PLAIN_MESH), without_magnets(context.spec))
+        system = elastic_system(context.read(PLAIN_MESH), context.spec)
         factor = _shell.held.enter_context(Factorization(system.matrix))
         _shell.folder, _shell.parts = folder, (system, factor, response)
     return _shell.parts

@@ -8,7 +8,7 @@ from design.layout.body import face_frames
 from design.layout.places.positions import shell_body_layout
 from fem.large_strain.correction import StrainCorrection, corrected_joint
 from fem.presses.joint import Tip, press_path, press_tips, refined_faces
-from fem.presses.to_force import squeeze, squeeze_path
+from fem.presses.to_force import press_to_force, squeeze_path
 from tests.support.mechanics.half_space_response import half_space_response
 from tests.support.mechanics.synthetic_presses import coarse_spec
 
@@ -35,7 +35,7 @@ def test_a_squeeze_from_a_warm_start_is_the_same(response):
     jaws = ((Tip(3, -7.5, 2.0), Tip(3, 7.5, 2.0)), (Tip(5, 0.0, -2.0),))
     path = squeeze_path(SPEC, response, jaws, (1.0, 4.0))
     for force, press in zip((1.0, 4.0), path, strict=True):
-        cold = squeeze(SPEC, response, jaws, force)
+        cold = press_to_force(SPEC, response, jaws, force)
         assert_allclose(press.force_n[:2].sum(), force, rtol=3e-6)
         assert_allclose(press.force_n[2], force, rtol=3e-6)
         assert_allclose(press.depth_mm, cold.depth_mm, rtol=1e-4)

@@ -75,7 +75,7 @@ def fields(cube, spec, factor):
 
 
 def test_the_paper_s_cube_has_19_by_19_places_at_six_depths():
-    lattices = candidate_lattices(paper_cube("rigid", (1.2, 4.0)))
+    lattices = candidate_lattices(paper_cube((1.2, 4.0)))
     assert [lattice.shape for lattice in lattices] == [(19, 19, 6)] * 5
     assert_allclose(lattices[2].x_mm[[0, -1]], [-18, 18], rtol=0, atol=1e-12)
     assert_allclose(lattices[2].depth_mm, [1.5, 2.5, 3.5, 4.5, 5.5, 6.5], rtol=0, atol=1e-12)

@@ -23,7 +23,7 @@ from fem.linear.response import (
     elastic_system,
     face_pressure_loads,
 )
-from fem.mesh.tetrahedra import magnet_free_mesh, without_magnets
+from fem.mesh.tetrahedra import magnet_free_mesh
 from tests.support.mechanics.candidate_cases import motion_of
 from tests.support.objects.body_cases import body_spec
 
@@ -45,8 +45,8 @@ def spec():
 
 @pytest.fixture(scope="module")
 def solved(spec):
-    mesh, plain = magnet_free_mesh(spec), without_magnets(spec)
-    return mesh, elastic_system(mesh, plain), build_response(mesh, plain)
+    mesh = magnet_free_mesh(spec)
+    return mesh, elastic_system(mesh, spec), build_response(mesh, spec)
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ from design.spec.object import ObjectSpec
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import FacePresses, press_face
-from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA, all_silicone
 
 DIAMETER_MM = 26.0
 PLACES = np.array([[0, 0], [5, 3], [-5, 3], [-5, -3], [5, -3], [0, 6], [0, -6], [6, 0]], float)
@@ -39,10 +39,9 @@ def pressed(kind: str, length_mm: float, face: int) -> FacePresses:
             "envelope_mm": 0.08,
             "rim_edge_ratio": 1.0,
         },
-        "mechanics": {"magnets": "points"},
     }
     spec = ObjectSpec.model_validate(content)
-    response = build_response(tetrahedralize(spec), spec)
+    response = build_response(all_silicone(tetrahedralize(spec)), spec)
     return press_face(spec, response, 0, PLACES, np.array(spec.press.depths_mm))
 
 

@@ -26,7 +26,7 @@ from fem.contact.refined import (
 from fem.linear.response import FaceSurface, build_response, face_pressure_loads
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import press_face, require_on_patch, resting_gap_mm
-from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA, all_silicone
 
 TIP_MM = 5.0
 DEPTHS = np.array([0.1, 0.2, 0.3])
@@ -171,10 +171,9 @@ def handle():
                 "envelope_mm": 0.08,
                 "rim_edge_ratio": 1.0,
             },
-            "mechanics": {"magnets": "points"},
         }
     )
-    mesh = tetrahedralize(spec)
+    mesh = all_silicone(tetrahedralize(spec))
     return spec, mesh, build_response(mesh, spec)
 
 

@@ -80,11 +80,6 @@ def test_a_magnet_counts_over_it_and_not_far_beside():
     assert weight[-1] < 1e-4
 
 
-def test_points_have_no_base():
-    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets="points"))
-    assert rigid_bases(spec, face_frame(spec, 1), SURFACE, HATS) == ()
-
-
 def test_the_factor_of_hats_is_that_of_waves_of_five_edges():
     """Sums over the reciprocal lattice: a hat's transform is A Π sinc(k·d/2) over the three edges d."""
     edges = np.array([[1.0, 0.0], [0.5, np.sqrt(3) / 2], [-0.5, np.sqrt(3) / 2]])

@@ -78,19 +78,11 @@ def test_what_large_deformation_does_not_know_is_refused(changes, said):
         require_press(spec, 3, 0.0, 0.0, [1.0])
 
 
-@pytest.mark.parametrize("magnets", ["rigid", "points"])
-def test_magnets_are_rigid_where_the_specification_says_so(magnets):
-    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets=magnets))
-    setting = object.__new__(single_press.PressSetting)
-    setting.__dict__["spec"] = spec
-    assert setting.rigid_magnets == (magnets == "rigid")
+def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypatch):
+    """Seven nodes; the third is held by the core, the last two are a magnet's, which moves as one.
 
-
-@pytest.mark.parametrize("magnets", ["rigid", "points"])
-def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypatch, magnets):
-    """Seven nodes; the third is held by the core, the last two are a magnet's, which moves as one where it
-    is rigid. Of the faces' vertices 5, 6, 8 and 9 the second and fourth are candidates."""
-    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets=magnets))
+    Of the faces' vertices 5, 6, 8 and 9 the second and fourth are candidates.
+    """
     owner = np.array([-1, -1, -1, -1, -1, 0, 0])
     asked = []
     monkeypatch.setattr(single_press, "finite_strain_elements", lambda space: "elements")
@@ -113,7 +105,13 @@ def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypat
         operators=SimpleNamespace(compressibility=compressibility),
     )
     found = single_press.press_problem.__wrapped__(
-        spec, None, system, MATERIAL, "frame", np.array([0, 1, 2]), np.array([1, 3])
+        SPEC,
+        SimpleNamespace(magnets=1),
+        system,
+        MATERIAL,
+        "frame",
+        np.array([0, 1, 2]),
+        np.array([1, 3]),
     )
     elements, material, softness, own, nodes, moved, of_magnet, centre, face, radius = found
     assert (elements, material, face, radius) == ("elements", MATERIAL, "face", 5.0)
@@ -125,14 +123,9 @@ def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypat
     ((mesh, facets, vertices, frame),) = asked
     assert mesh is system.mesh
     assert (facets.tolist(), vertices.tolist(), frame) == ([0, 1, 2], [6, 9], "frame")
-    if magnets == "rigid":
-        assert moved.tolist() == [True, True, False, True, True, False, False]
-        assert of_magnet.tolist() == owner.tolist()
-        assert centre.tolist() == [[1, 2, 3]]
-    else:
-        assert moved.tolist() == [True, True, False, True, True, True, True]
-        assert of_magnet.tolist() == [-1] * 7
-        assert centre.shape == (0, 3)
+    assert moved.tolist() == [True, True, False, True, True, False, False]
+    assert of_magnet.tolist() == owner.tolist()
+    assert centre.tolist() == [[1, 2, 3]]
 
 
 def test_candidates_lie_nearer_to_the_tip_than_its_radius(monkeypatch):

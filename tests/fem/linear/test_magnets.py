@@ -1,11 +1,11 @@
-"""Rigid magnets move as rigid bodies; ideal points report means of the silicone's motion."""
+"""Magnets move as rigid bodies."""
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from fem.linear.elements import taylor_hood
-from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
+from fem.linear.magnets import magnet_of_nodes, rigid_motion_basis
 from fem.linear.sparse import shape_of
 from fem.mesh.tetrahedra import SILICONE, TetMesh
 from tests.support.mechanics.fem_cases import box_mesh
@@ -53,42 +53,3 @@ def test_tied_nodes_follow_u_equals_c_plus_omega_cross_r(labelled):
         assert_allclose(u[nodes], exact, rtol=0, atol=1e-13)
     assert_allclose(u[free], q[: 3 * free.sum()].reshape(3, -1).T, rtol=0, atol=0)
     assert (u[~free & (owner < 0)] == 0).all()
-
-
-def centroid_of(mesh, index):
-    corner = mesh.points_mm[mesh.tets[mesh.magnet == index]]
-    volume = abs(np.linalg.det(corner[:, 1:] - corner[:, :1]))
-    return volume @ corner.mean(axis=1) / volume.sum()
-
-
-@pytest.mark.parametrize(
-    "gradient",
-    [
-        np.array([[0, -0.3, 0.5], [0.3, 0, -0.7], [-0.5, 0.7, 0]]),
-        np.array([[0.3, -0.2, 0.5], [0.7, -0.4, 0.1], [-0.6, 0.8, 0.9]]),
-    ],
-    ids=["rigid rotation", "linear field"],
-)
-def test_mean_motions_are_exact_for_linear_fields(labelled, gradient):
-    """Mean displacement at the centroid, and half the curl."""
-    mesh, space = labelled
-    shift = np.array([0.4, -0.9, 0.2])
-    u = (shift + space.nodes_mm @ gradient.T).T.ravel()
-    motions = (mean_motion_functionals(mesh, space) @ u).reshape(2, 6)
-    skew = gradient - gradient.T
-    half_curl = [skew[2, 1] / 2, skew[0, 2] / 2, skew[1, 0] / 2]
-    for index in range(2):
-        centre = shift + gradient @ centroid_of(mesh, index)
-        assert_allclose(motions[index], [*centre, *half_curl], rtol=0, atol=1e-12)
-
-
-def test_mean_motions_of_a_quadratic_field_are_its_integrals(labelled):
-    """u = (0, 0, x y): mean of x y, and half curl (x, −y, 0)/2 at the centroid."""
-    mesh, space = labelled
-    x, y, _ = space.nodes_mm.T
-    motions = mean_motion_functionals(mesh, space) @ np.concatenate([0 * x, 0 * x, x * y])
-    for index, motion in enumerate(motions.reshape(2, 6)):
-        cx, cy, _ = centroid_of(mesh, index)
-        assert_allclose(motion[3:], [cx / 2, -cy / 2, 0], rtol=0, atol=1e-12)
-        assert_allclose(motion[2], cx * cy, rtol=0.05)
-        assert_allclose(motion[:2], 0, rtol=0, atol=1e-12)

@@ -6,7 +6,7 @@ import pytest
 from design.errors import InputError
 from fem.presses.joint import Tip, press_tips
 from fem.presses.table import press_places, surface_weights_mm2
-from fem.presses.to_force import squeeze
+from fem.presses.to_force import press_to_force
 
 
 def test_a_single_tip_is_the_press_of_the_lattice(rigid_spec, rigid_response):
@@ -39,7 +39,7 @@ def test_faces_hardly_feel_each_other_but_motions_add_up(rigid_spec, rigid_respo
 
 def test_a_squeeze_balances_its_jaws(rigid_spec, rigid_response):
     jaws = ([Tip(3, 4.5, 1.5)], [Tip(5, -7.5, 3.0), Tip(5, 7.5, 3.0)])
-    grasp = squeeze(rigid_spec, rigid_response, jaws, 12.0)
+    grasp = press_to_force(rigid_spec, rigid_response, jaws, 12.0)
     np.testing.assert_allclose(grasp.force_n[0], 12.0, rtol=1e-5)
     np.testing.assert_allclose(grasp.force_n[1:].sum(), 12.0, rtol=1e-5)
     np.testing.assert_allclose(grasp.depth_mm[1], grasp.depth_mm[2], rtol=0, atol=1e-12)
@@ -62,4 +62,4 @@ def test_impossible_tips_are_refused(rigid_spec, rigid_response, tips, words):
 @pytest.mark.parametrize(("force", "words"), [(0.0, "positive"), (1e4, "not reached")])
 def test_impossible_squeezes_are_refused(rigid_spec, rigid_response, force, words):
     with pytest.raises(InputError, match=words):
-        squeeze(rigid_spec, rigid_response, ([Tip(3, 0.0, 0.0)], [Tip(5, 0.0, 0.0)]), force)
+        press_to_force(rigid_spec, rigid_response, ([Tip(3, 0.0, 0.0)], [Tip(5, 0.0, 0.0)]), force)

@@ -6,7 +6,7 @@ from fem.presses.compliance_map import compliance_map
 from fem.presses.discretisation import coarser, mesh_difference, sample_presses
 from fem.presses.joint import Tip, press_path, press_tips, refined_faces
 from fem.presses.table import simulate_lattice
-from fem.presses.to_force import press_to_force, squeeze
+from fem.presses.to_force import press_to_force
 from fem.presses.viscoelastic import relaxed_force_n
 from tests.support.mechanics.half_space_response import half_space_response
 from tests.support.mechanics.synthetic_presses import coarse_spec
@@ -42,7 +42,7 @@ def of_tips(response):
         "last of a path": path[1],
         "at once": press_tips(SPEC, response, list(TIPS), DEPTHS_MM[1]),
         "to 2 N": press_to_force(SPEC, response, ((TIPS[0],), (TIPS[1],)), 2.0),
-        "squeezed": squeeze(SPEC, response, ((TIPS[0],), (Tip(5, -3.0, 4.0),)), 3.0),
+        "squeezed": press_to_force(SPEC, response, ((TIPS[0],), (Tip(5, -3.0, 4.0),)), 3.0),
     }
     for name, press in presses.items():
         sizes = [*press.depth_mm, *press.force_n, *press.contact_area_mm2]

@@ -129,9 +129,9 @@ def test_a_deeper_simulation_does_not_depend_on_the_steps_before_it(rigid_spec, 
     assert_allclose(stepped, at_once, rtol=0, atol=1e-9 * stepped.max())
 
 
-def test_layer_force_without_magnets(points_spec, points_response):
+def test_layer_force_without_magnets(rigid_spec, plain_response):
     """1.69 N at 1 mm and 5.5 N at 2 mm on an endless layer; this coarse mesh is below."""
-    mean = forces_near_the_centre(points_spec, points_response, 60).mean(axis=(0, 1))
+    mean = forces_near_the_centre(rigid_spec, plain_response, 60).mean(axis=(0, 1))
     assert_allclose(mean[1:], [1.69, 5.5], rtol=0.10)
     assert_allclose(mean[1], dimitriadis_force_n(1.0, RADIUS, 8.0), rtol=0.10)
 

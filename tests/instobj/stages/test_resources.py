@@ -66,7 +66,7 @@ def test_the_papers_cube_and_its_estimate(monkeypatch):
         require_memory("response", spec, 3.0)
 
 
-@pytest.mark.parametrize("spec", [small_spec(), paper_cube("rigid", COARSE_EDGES_MM)])
+@pytest.mark.parametrize("spec", [small_spec(), paper_cube(COARSE_EDGES_MM)])
 def test_vertices_are_estimated_within_a_factor_of_two(spec):
     assert 0.5 < len(shared_mesh(spec).points_mm) / mesh_vertices(spec) < 2
 

@@ -25,7 +25,7 @@ from tests.support.mechanics.fem_cases import (
 
 def spec_of(poisson_ratio, **indenter):
     """A specification of this silicone and indenter, whether it fits the paper's cube or not."""
-    spec = paper_cube("points", (1.2, 4.0), poisson_ratio)
+    spec = paper_cube((1.2, 4.0), poisson_ratio)
     return spec.model_copy(update={"indenter": IndenterSpec(**indenter)})
 
 

@@ -9,12 +9,13 @@ from skfem import FacetBasis, LinearForm, MeshTet
 from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import press_lattice
-from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
+from design.spec.object import MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import MixedOperators, assemble, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import compliance_of_loads, solve_symmetric
 from fem.linear.material import lame_constants
 from fem.linear.response import face_surface
+from fem.mesh.tetrahedra import SILICONE
 from fem.presses.table import press_places, profile_moments_mm3, surface_weights_mm2
 from tests.support.mechanics.kept_factors import solve_with_kept_factor
 
@@ -26,7 +27,7 @@ SHELL_COMPLIANCE_MM_PER_N = {0.49: 0.23170, 0.4999: 0.22621, 0.5: 0.22615}
 """Converged Taylor–Hood compliance of the patch load on the paper's shell without magnets."""
 
 
-def paper_cube(magnets, edges_mm, poisson_ratio=0.4999):
+def paper_cube(edges_mm, poisson_ratio=0.4999):
     """The paper's cube in silicone of 0.3 MPa; `edges_mm` at the surface and in the bulk.
 
     Rims of magnets are as coarse as the silicone around them, which saves half of the unknowns.
@@ -35,9 +36,13 @@ def paper_cube(magnets, edges_mm, poisson_ratio=0.4999):
         name="cube",
         silicone=SiliconeSpec(youngs_modulus_mpa=YOUNGS_MODULUS_MPA, poisson_ratio=poisson_ratio),
         mesh=MeshSpec(surface_edge_mm=edges_mm[0], edge_mm=edges_mm[1], rim_edge_ratio=1.0),
-        mechanics=MechanicsSpec(magnets=magnets),
         press=PressSpec(depths_mm=tuple(DEPTHS_MM.tolist())),
     )
+
+
+def all_silicone(mesh):
+    """The same tetrahedra, magnets taken for silicone."""
+    return replace(mesh, magnet=np.full_like(mesh.magnet, SILICONE))
 
 
 def box_mesh(shape, size=(1.0, 1.0, 1.0), jiggle=0.0):

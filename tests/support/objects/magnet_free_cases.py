@@ -8,7 +8,7 @@ import numpy as np
 from design.layout.body import face_frames
 from fem.linear.elements import DisplacementSpace
 from fem.linear.response import ElasticSystem, ResponseOperator, build_response, elastic_system
-from fem.mesh.tetrahedra import TetMesh, magnet_free_mesh, without_magnets
+from fem.mesh.tetrahedra import TetMesh, magnet_free_mesh
 from tests.support.mechanics.fem_cases import paper_cube
 
 EDGES_MM = (3.0, 7.0)
@@ -30,11 +30,10 @@ class MagnetFree:
 
 @cache
 def magnet_free_cube():
-    spec = paper_cube("rigid", EDGES_MM)
+    spec = paper_cube(EDGES_MM)
     spec = spec.changed(mesh=spec.mesh.changed(envelope_mm=0.03))
     mesh = magnet_free_mesh(spec)
-    plain = without_magnets(spec)
-    return MagnetFree(spec, mesh, elastic_system(mesh, plain), build_response(mesh, plain))
+    return MagnetFree(spec, mesh, elastic_system(mesh, spec), build_response(mesh, spec))
 
 
 def points_in_the_shell(spec, count, seed=3):

@@ -7,7 +7,7 @@ from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
 from tests.support.shared import shared_mesh
 
 
-def small_spec(interface="bonded", magnets="rigid", **slip):
+def small_spec(interface="bonded", **slip):
     return ObjectSpec.model_validate(
         {
             "name": "small",
@@ -19,7 +19,7 @@ def small_spec(interface="bonded", magnets="rigid", **slip):
                 "rim_edge_ratio": 1.0,
                 "envelope_mm": 0.03,
             },
-            "mechanics": {"interface": interface, "magnets": magnets, "slip": slip},
+            "mechanics": {"interface": interface, "slip": slip},
             "press": {"depths_mm": [1.0, 2.0]},
         }
     )

@@ -8,7 +8,7 @@ from design.layout.places.positions import shell_body_layout
 from design.spec.object import MagnetSpec
 from fem.candidates import tied_magnets
 from fem.linear.response import elastic_system, face_pressure_loads
-from fem.mesh.tetrahedra import tetrahedralize, without_magnets
+from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import surface_weights_mm2
 from tests.support.mechanics.fem_cases import paper_cube, solve_loads
 from tests.support.verification.proof import Check, Curve, Fault, Measured
@@ -19,7 +19,7 @@ PLACES_MM = np.array([[3.0, 2.0], [0.0, 0.0], [6.0, -1.0], [7.0, 4.0]])
 
 
 def cube():
-    spec = paper_cube("rigid", (1.2, 4.0))
+    spec = paper_cube((1.2, 4.0))
     return spec.model_copy(update={"magnets": MagnetSpec(positions_mm=(MAGNET_MM,))})
 
 
@@ -58,7 +58,7 @@ def resolved():
 @cache
 def magnet_free():
     """On three meshes: what one differs by is as large as what ties cost."""
-    spec = without_magnets(cube())
+    spec = cube()
     meshes = (
         tetrahedralize(spec, fine_at_the_magnet(edge), magnets=False) for edge in TIED_EDGES_MM
     )

@@ -13,6 +13,7 @@ from fem.presses import table as presses
 from fem.presses.table import press_face
 from tests.support.mechanics.fem_cases import (
     SHELL_COMPLIANCE_MM_PER_N,
+    all_silicone,
     paper_cube,
     patch_compliances,
     relative_mirror_difference,
@@ -32,23 +33,23 @@ LOADS = (7, 23, 41)
 
 @cache
 def cube_mesh():
-    return shared_mesh(paper_cube("rigid", EDGES_MM))
+    return shared_mesh(paper_cube(EDGES_MM))
 
 
 @cache
 def cube_system():
-    return elastic_system(cube_mesh(), paper_cube("points", EDGES_MM))
+    return elastic_system(all_silicone(cube_mesh()), paper_cube(EDGES_MM))
 
 
 @cache
 def cube_response():
-    return shared_response(cube_mesh(), paper_cube("rigid", EDGES_MM))
+    return shared_response(cube_mesh(), paper_cube(EDGES_MM))
 
 
 @cache
 def other_cube_response():
     """The same cube on another mesh of nearly the same edges."""
-    spec = paper_cube("rigid", tuple(1.01 * edge for edge in EDGES_MM))
+    spec = paper_cube(tuple(1.01 * edge for edge in EDGES_MM))
     return shared_response(shared_mesh(spec), spec)
 
 
@@ -105,7 +106,7 @@ def reciprocity():
 
 def shell_compliance():
     """Compliance of the patch load at the five faces' centres."""
-    system, spec = cube_system(), paper_cube("points", EDGES_MM)
+    system, spec = cube_system(), paper_cube(EDGES_MM)
     nodes = int(system.space.elastic_nodes.sum())
     if nodes > MOST_NODES:
         raise ValueError(f"the mesh has {nodes} nodes, more than {MOST_NODES}")
@@ -121,7 +122,7 @@ def mirrored_presses():
 
     As a multiple of what another mesh of the same object changes: the mesh's own error.
     """
-    spec = paper_cube("rigid", EDGES_MM)
+    spec = paper_cube(EDGES_MM)
     depths, xy = np.asarray(spec.press.depths_mm), press_lattice(spec).xy_mm
     force, other = (
         press_face(spec, given, 0, xy, depths).force_n
