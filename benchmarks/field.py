@@ -145,13 +145,13 @@ def compare(quick: bool) -> list[dict[str, Any]]:
         peer = magpylib_rate(nearest, sizes, repeats)
         job = make_job(sizes[-1], nearest)
         series = field_model(DISK, nearest)
-        for model in (series, FieldModel(DISK, "dipole")):
+        for model in (series, FieldModel(DISK, "multipole", 1)):
             for name, dtype in TYPES.items():
                 speed = rate(model, dtype, job, repeats)
                 row = {
                     "nearest_mm": nearest,
-                    "model": model.name,
-                    "order": model.order or 1,
+                    "model": "dipole" if model.order == 1 else model.name,
+                    "order": model.order,
                     "type": name,
                     "largest_error": largest_error(model, dtype, job),
                     "pairs_per_s": speed,

@@ -99,7 +99,7 @@ class Identified:
         return _joined(list(self.presses))
 
 
-def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
+def identify(paths: list[Path], answers: Known) -> Identified:
     """Read logs of one object and identify it.
 
     Raises
@@ -112,7 +112,7 @@ def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
         with naming(path):
             log = tell_columns(read_text_table(path), answers.columns)
             counts, order = group_axes(log, answers.axes)
-            clean = clean_chips(counts, seed)
+            clean = clean_chips(counts)
             kind, label = label_kind(log, answers.label)
             presses, lag = find_presses(log, clean.counts, kind)
         notes += [(path.name, note) for note in log.notes]
@@ -121,7 +121,7 @@ def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
         kinds.append(kind)
     _require_alike(paths, tables, kinds)
     joined = _joined(tables)
-    chips, of_faces = chips_under_faces(joined, seed)
+    chips, of_faces = chips_under_faces(joined)
     if not joined.labelled:
         chips, of_faces = {}, [replace(finding, question=ANSWERING) for finding in of_faces]
     where = paths[0].name if len(paths) == 1 else "all logs"
@@ -129,7 +129,7 @@ def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
     orders = {}
     for number, presses in enumerate(tables):
         for face, chips_of in chips.items():
-            order = order_of_places(presses, chips_of, face, seed)
+            order = order_of_places(presses, chips_of, face)
             if order is not None:
                 if order.p <= CERTAIN:
                     orders[number, face] = order

@@ -56,9 +56,7 @@ class PlaceOrder:
         )
 
 
-def order_of_places(
-    presses: ForeignPresses, chips: list[int], face: int, seed: int = 0
-) -> PlaceOrder | None:
+def order_of_places(presses: ForeignPresses, chips: list[int], face: int) -> PlaceOrder | None:
     """Find the order of a face's places; None where they are too few, or no grid has their number."""
     face_presses = presses.select(np.flatnonzero(presses.face[:, 0] == face))
     place = np.unique(face_presses.place[:, 0])
@@ -67,7 +65,7 @@ def order_of_places(
         return None
     where = map_of_places(face_presses, chips, place)
     best = max(shapes, key=lambda named: _fit(where, named[1]).min())
-    rng = np.random.default_rng((seed, 32))
+    rng = np.random.default_rng((0, 32))
     null = [
         max(_fit(where[order], grid).min() for _, grid in shapes)
         for order in (rng.permutation(len(place)) for _ in range(EXCHANGES))

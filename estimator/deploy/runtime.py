@@ -29,7 +29,6 @@ from estimator.frames.face_data import (
     channel_counts,
     channel_label,
     frames_with_readings,
-    with_history,
 )
 from estimator.networks.prediction import UNITS, Prediction
 
@@ -146,23 +145,11 @@ def run_model(model: DeployedModel, counts: Float[np.ndarray, "frame channel"]) 
     return Prediction(*(output.astype(np.float64) for output in outputs))
 
 
-def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
-    """Readings of a data set's frames; presses must be complete if the model reads changes.
-
-    Raises
-    ------
-    InputError
-        A channel that the model uses is missing.
-    """
-    wide = with_history(frames, model.history_frames)
-    return run_model(model, channel_counts(wide, model.channels))
-
-
 def predict_with_gaps(
     model: DeployedModel, frames: FrameSet
 ) -> tuple[Bool[np.ndarray, "frame"], Prediction]:
-    """Return which frames have all readings (and the change since such), and what `predict_frames` gives
-    there.
+    """Return which frames of a data set have all readings (and the change since such), and what is read
+    there; presses must be complete if the model reads changes.
 
     Raises
     ------

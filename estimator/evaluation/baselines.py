@@ -74,9 +74,7 @@ class BaselineReport:
         return asdict(self) | {"total_force_percent": None if np.isnan(percent) else percent}
 
 
-def held_out_answers(
-    model: FaceModel, frames: FrameSet, split: Split, seed: int = 0
-) -> HeldOutAnswers:
+def held_out_answers(model: FaceModel, frames: FrameSet, split: Split) -> HeldOutAnswers:
     """The model and every baseline on the test part; baselines learn from all other presses.
 
     Raises
@@ -93,7 +91,7 @@ def held_out_answers(
     fitted_frames = {}
     for name, make in REGRESSORS.items():
         most = MOST_FRAMES_OF_PROCESS if name == "gaussian process" else MOST_FRAMES
-        shown = drawn_frames(thinned(learned, seed), most, seed)
+        shown = drawn_frames(thinned(learned, 0), most)
         fitted_frames[name] = len(shown)
         answers.append(_answers(name, make, shown, tested.frames, model.channels))
     return HeldOutAnswers(
@@ -130,14 +128,14 @@ def simple_answers(
     """
     whole = with_history(training, history_frames)
     learned = with_contacts(face_data(whole, face), "training")
-    shown = drawn_frames(thinned(learned, 0), MOST_FRAMES, 0)
+    shown = drawn_frames(thinned(learned, 0), MOST_FRAMES)
     return [
         _answers(name, REGRESSORS[name], shown, read, channels)
         for name in ("ridge", "nearest neighbours")
     ]
 
 
-def baseline_reports(held_out: HeldOutAnswers, seed: int = 0) -> list[BaselineReport]:
+def baseline_reports(held_out: HeldOutAnswers) -> list[BaselineReport]:
     """Errors of the model (named "model", no difference from itself) and of every baseline."""
     away = {
         answer.name: np.linalg.norm(answer.xy_mm - held_out.true_xy_mm, axis=1)
@@ -156,10 +154,10 @@ def baseline_reports(held_out: HeldOutAnswers, seed: int = 0) -> list[BaselineRe
             total_force_percent=float(np.mean(100 * missed[answer.name] / held_out.span_n)),
             place_mm=float(away[answer.name].mean()),
             force_n_less_model=paired_difference(
-                missed[answer.name], missed["model"], held_out.press_id, seed
+                missed[answer.name], missed["model"], held_out.press_id
             ),
             place_mm_less_model=paired_difference(
-                away[answer.name], away["model"], held_out.press_id, seed
+                away[answer.name], away["model"], held_out.press_id
             ),
         )
         for answer in held_out.answers
@@ -170,12 +168,11 @@ def paired_difference(
     error: Float[np.ndarray, "frame"],
     of_model: Float[np.ndarray, "frame"],
     press_id: Int[np.ndarray, "frame"],
-    seed: int = 0,
 ) -> Difference:
     """Mean difference over presses, with 90 % of the means of presses drawn again."""
     _, press, count = np.unique(press_id, return_inverse=True, return_counts=True)
     per_press = np.bincount(press, weights=error - of_model) / count
-    drawn = np.random.default_rng(seed).integers(len(count), size=(_DRAWS, len(count)))
+    drawn = np.random.default_rng(0).integers(len(count), size=(_DRAWS, len(count)))
     low, high = np.percentile(per_press[drawn].mean(axis=1), _INTERVAL_PERCENT)
     return Difference(float(per_press.mean()), float(low), float(high))
 
@@ -201,10 +198,10 @@ def _answers(
     return ContactAnswers(name, force_n, xy_mm)
 
 
-def drawn_frames(data: FaceData, most: int, seed: int) -> FaceData:
+def drawn_frames(data: FaceData, most: int) -> FaceData:
     if len(data) <= most:
         return data
-    chosen = np.random.default_rng(seed).permutation(len(data))[:most]
+    chosen = np.random.default_rng(0).permutation(len(data))[:most]
     return data.select(np.sort(chosen))
 
 

@@ -1,4 +1,4 @@
-"""Flux density of magnets: point dipole, multipole series, pole charges, exact bodies.
+"""Flux density of magnets: multipole series, pole charges, exact bodies.
 
 Vectors are triples of equally broadcastable arrays (`estimator.field.vectors`), so that large sets of
 pairs stay in contiguous chunks of cache size. Lengths are in mm, polarization and flux density in T: a
@@ -27,12 +27,14 @@ from estimator.field.sources import (
 )
 from estimator.field.vectors import Vector, dot, plus_product
 
-ModelName = Literal["dipole", "multipole", "charges", "exact"]
+ModelName = Literal["multipole", "charges", "exact"]
 LOWEST_ORDER = 7
 """Lowest order of the series that is tried (odd)."""
 HIGHEST_ORDER = 25
 """Highest order that is tried; where it does not hold, the exact body is used."""
 HIGHEST_CHARGES = 8
+TOLERANCE = 1e-3
+"""Largest error of a model, relative to the local |B|."""
 _REFERENCE_ORDER = 61
 """Order of the series that stands for the exact field."""
 
@@ -64,8 +66,6 @@ class FieldModel:
         return isinstance(self.magnet, BlockMagnet)
 
     def __call__(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Vector:
-        if self.name == "dipole":
-            return dipole_field(offset_mm, axis, self.magnet)
         if self.name == "multipole":
             return multipole_field(offset_mm, axis, self.magnet, self.order)
         if isinstance(self.magnet, DiskMagnet):
@@ -110,8 +110,8 @@ def _combined_model(models: list[FieldModel]) -> MagnetsModel:
     return models[0] if len(models) == 1 else MixedModel(tuple(models))
 
 
-def field_model(magnet: Magnet, nearest_distance_mm: float, tolerance: float = 1e-3) -> FieldModel:
-    """The cheapest model whose error stays within `tolerance` beyond `nearest_distance_mm`.
+def field_model(magnet: Magnet, nearest_distance_mm: float) -> FieldModel:
+    """The cheapest model whose error stays within `TOLERANCE` beyond `nearest_distance_mm`.
 
     The multipole series where one of its orders will do (of a block only its part of rotational
     symmetry counts, which suffices at a distance), charges on a block's poles nearer to it, the
@@ -119,7 +119,7 @@ def field_model(magnet: Magnet, nearest_distance_mm: float, tolerance: float = 1
     |B|; it falls with distance.
     """
     for model in candidate_models(magnet):
-        if _holds(model, nearest_distance_mm, tolerance):
+        if _holds(model, nearest_distance_mm):
             return model
     return FieldModel(magnet, "exact")
 
@@ -133,25 +133,10 @@ def candidate_models(magnet: Magnet) -> list[FieldModel]:
     return series[:2] + [FieldModel(magnet, "charges", charges=count) for count in counts]
 
 
-def _holds(model: FieldModel, distance_mm: float, tolerance: float) -> bool:
+def _holds(model: FieldModel, distance_mm: float) -> bool:
     if distance_mm <= model.magnet.circumscribed_radius_mm:
         return False
-    return model_error(model, distance_mm) <= tolerance
-
-
-def dipole_field(offset_mm: Vector, axis: Vector, magnet: Magnet) -> Vector:
-    """Point dipole J V / (4π r³) (3 (n̂·r̂) r̂ − n̂): 13 % wrong 10 mm from a disk of Ø6 × 1.
-
-    Parameters
-    ----------
-    offset_mm : three arrays, mm, from the magnet's centre to the point
-    axis : three arrays, unit vector along the polarization
-
-    Returns
-    -------
-    Three arrays, T.
-    """
-    return multipole_field(offset_mm, axis, magnet, order=1)
+    return model_error(model, distance_mm) <= TOLERANCE
 
 
 def multipole_field(offset_mm: Vector, axis: Vector, magnet: Magnet, order: int) -> Vector:

@@ -15,7 +15,7 @@ from jaxtyping import Bool, Int
 from design.errors import InputError
 from estimator.frames.dataset import FrameSet
 
-DEFAULT_SHARES = (0.6, 0.2, 0.2)
+SHARES = (0.6, 0.2, 0.2)
 """Shares of the presses for training, validation and test."""
 
 
@@ -28,10 +28,8 @@ class Split:
     test: Bool[np.ndarray, "frame"]
 
 
-def split_presses(
-    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
-) -> Split:
-    """Whole presses, each contact case divided by `shares`.
+def split_presses(frames: FrameSet, seed: int) -> Split:
+    """Whole presses, each contact case divided by `SHARES`.
 
     Of a case with two presses one trains, and the other one validates or tests; cases of a single
     press are pooled. So every case with two presses or more is trained on, and the test holds new
@@ -40,9 +38,8 @@ def split_presses(
     Raises
     ------
     InputError
-        Fewer than three presses, or shares that do not add up to 1.
+        Fewer than three presses.
     """
-    _check_shares(shares)
     presses, places = press_places(frames)
     _check_enough(len(presses), "presses")
     names, counts = np.unique(places, return_counts=True)
@@ -50,14 +47,14 @@ def split_presses(
     part = np.zeros(len(presses), dtype=int)
     for case in names[counts >= 3]:
         members = np.flatnonzero(places == case)
-        part[rng.permutation(members)] = split_parts(len(members), shares)
+        part[rng.permutation(members)] = split_parts(len(members))
     pairs = [np.flatnonzero(places == case) for case in names[counts == 2]]
     spare = rng.permutation([int(rng.choice(pair)) for pair in pairs]).astype(int)
-    validating = round(len(spare) * shares[1] / (shares[1] + shares[2]))
+    validating = round(len(spare) * SHARES[1] / (SHARES[1] + SHARES[2]))
     part[spare] = np.where(np.arange(len(spare)) < validating, 1, 2)
     single = np.isin(places, names[counts == 1])
     pooled = rng.permutation(np.flatnonzero(single))
-    part[pooled] = split_parts(len(pooled), shares)
+    part[pooled] = split_parts(len(pooled))
     return _split_of_groups(frames.press_id, presses, fill_empty(part, single))
 
 
@@ -70,42 +67,36 @@ def only_trained_places(frames: FrameSet, split: Split) -> bool:
     return tested <= trained
 
 
-def split_places(
-    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
-) -> Split:
+def split_places(frames: FrameSet, seed: int) -> Split:
     """Whole contact cases, so that tested places were never trained on.
 
     Raises
     ------
     InputError
-        Fewer than three contact cases, or shares that do not add up to 1.
+        Fewer than three contact cases.
     """
-    _check_shares(shares)
     presses, places = press_places(frames)
     cases = np.unique(places[places >= 0])
     _check_enough(len(cases), "contact cases")
     rng = np.random.default_rng(seed)
     part_of_case = dict(
-        zip(rng.permutation(cases).tolist(), split_parts(len(cases), shares).tolist(), strict=True)
+        zip(rng.permutation(cases).tolist(), split_parts(len(cases)).tolist(), strict=True)
     )
     part = np.array([part_of_case.get(int(place), 0) for place in places])
     return _split_of_groups(frames.press_id, presses, part)
 
 
-def split_paper_random_frames(
-    frames: FrameSet, seed: int, shares: tuple[float, float, float] = DEFAULT_SHARES
-) -> Split:
+def split_paper_random_frames(frames: FrameSet, seed: int) -> Split:
     """The paper's split: single frames at random, so that every press is in every part.
 
     Raises
     ------
     InputError
-        Fewer than three frames, or shares that do not add up to 1.
+        Fewer than three frames.
     """
-    _check_shares(shares)
     _check_enough(len(frames), "frames")
     part = np.empty(len(frames), dtype=int)
-    part[np.random.default_rng(seed).permutation(len(frames))] = split_parts(len(frames), shares)
+    part[np.random.default_rng(seed).permutation(len(frames))] = split_parts(len(frames))
     return Split(part == 0, part == 1, part == 2)
 
 
@@ -122,10 +113,10 @@ def press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.nda
     return presses, np.where(counts.any(axis=1), cases[counts.argmax(axis=1)], -1)
 
 
-def split_parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n"]:
+def split_parts(count: int) -> Int[np.ndarray, "n"]:
     """Part (0 train, 1 validation, 2 test) of each of `count` members; none empty from three on."""
-    sizes = np.floor(np.asarray(shares) * count + 1e-9).astype(int)
-    remainder = np.asarray(shares) * count - sizes
+    sizes = np.floor(np.asarray(SHARES) * count + 1e-9).astype(int)
+    remainder = np.asarray(SHARES) * count - sizes
     for part in np.argsort(-remainder, kind="stable")[: count - sizes.sum()]:
         sizes[part] += 1
     for part in range(3):
@@ -154,14 +145,6 @@ def _split_of_groups(
 ) -> Split:
     masks = [np.isin(frame_group, groups[part == number]) for number in range(3)]
     return Split(*masks)
-
-
-def _check_shares(shares: tuple[float, float, float]) -> None:
-    if min(shares) <= 0 or abs(sum(shares) - 1) > 1e-9:
-        raise InputError(
-            "the shares of training, validation and test must be positive and add up to 1; got "
-            f"{shares}. Use for example (0.6, 0.2, 0.2)"
-        )
 
 
 def _check_enough(count: int, what: str) -> None:

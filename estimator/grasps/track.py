@@ -211,13 +211,12 @@ def track_of_networks(
     return ContactTrack(time_s, face, xy, force, covariance, explained, tips)
 
 
-def track_of_labels(frames: FrameSet, true: bool = False) -> ContactTrack:
-    """Contacts that load cells and labels tell, taken as exact; what each tip bears with `true`.
+def track_of_labels(frames: FrameSet) -> ContactTrack:
+    """Contacts that load cells and labels tell, taken as exact.
 
     Tangential forces of recordings without a cell for them are written as 0 and count as unread.
     """
-    force = frames.true_force_n if true and frames.true_force_n is not None else frames.force_n
-    force = force.copy()
+    force = frames.force_n.copy()
     if not np.nan_to_num(force[..., :2]).any():
         force[..., :2] = np.nan
     shape = frames.contact_face.shape

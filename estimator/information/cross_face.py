@@ -94,7 +94,7 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         change = pressed[pressed_face][:, face_channels] / sigma
         sizes.append(np.linalg.norm(change, axis=1))
         forces.append(
-            nearest_force(change, *_own_presses(spec, signals, read_face, face_channels, sigma))
+            nearest_press(change, *_own_presses(spec, signals, read_face, face_channels, sigma))[0]
         )
     pressed_rows = places[[a for a, _ in pairs]] if pairs else places[:0]
     return CrossFace(
@@ -141,21 +141,13 @@ def _own_presses(
     return curve, np.concatenate([rest, signals.force_n[face_index, places]], axis=1)
 
 
-def nearest_force(
-    change: Float[np.ndarray, "n channel"],
-    curve: Float[np.ndarray, "place knot channel"],
-    force_n: Float[np.ndarray, "place knot"],
-) -> Float[np.ndarray, "n"]:
-    """Force at the point of all the curves (straight between knots) nearest to each change."""
-    return nearest_press(change, curve, force_n)[0]
-
-
 def nearest_press(
     change: Float[np.ndarray, "n channel"],
     curve: Float[np.ndarray, "place knot channel"],
     force_n: Float[np.ndarray, "place knot"],
 ) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return the same force, and the squared distance from that point."""
+    """Force at the point of all the curves (straight between knots) nearest to each change, and the squared
+    distance from it."""
     start, piece = curve[:, :-1], np.diff(curve, axis=1)
     length2 = np.maximum((piece**2).sum(axis=-1), 1e-12)
     force, squared = np.empty(len(change)), np.empty(len(change))

@@ -46,7 +46,7 @@ def layer_of(spec: ObjectSpec) -> Layer:
 
 
 @one_thread()
-def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> PressBasis:
+def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
     """Return presses of one face to `score.force_n`, of the sensed faces' own contact locations.
 
     All that the presses tell is kept.
@@ -76,7 +76,7 @@ def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32)
     (rows,), basis = compressed([motion], modes, rms(motion, modes), len(modes))
 
     def tensor(values: object) -> torch.Tensor:
-        return torch.as_tensor(np.asarray(values), dtype=dtype)
+        return torch.as_tensor(np.asarray(values), dtype=torch.float32)
 
     others, alone = [frames[number] for number in order[1:]], len(places)
     first, step = (tensor(part) for part in ends_and_steps(lattice))
@@ -92,13 +92,13 @@ def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32)
         step,
         lattice.shape,
         RowTable(tensor(with_ghosts(rows, lattice.shape)), tensor(basis)),
-        RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, 4 * alone, dtype=dtype)),
+        RowTable(torch.zeros(0, 0), torch.zeros(0, 4 * alone)),
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.plane_coordinates(frame.centre_mm) for frame in others]).reshape(-1, 3),
-        torch.full((alone,), deepest, dtype=dtype),
+        torch.full((alone,), deepest),
         np.full(alone, layer.contact(force)[1] / force),
-        _nothing_held(lattice, dtype),
-        patches_of(spec, [lattices[number] for number in order], dtype)
+        _nothing_held(lattice),
+        patches_of(spec, [lattices[number] for number in order], torch.float32)
         if faces_differ(spec)
         else (),
     )
@@ -121,12 +121,12 @@ def _motions(
     return moved.transpose(0, 2, 4, 3, 1).reshape(nx * ny * len(lattice.depth_mm), 6, -1)
 
 
-def _nothing_held(lattice: FaceCandidates, dtype: torch.dtype) -> StrainCoupling:
+def _nothing_held(lattice: FaceCandidates) -> StrainCoupling:
     """Magnets that move each other nothing."""
     nodes = int(np.prod([count + 2 for count in lattice.shape]))
     return StrainCoupling(
-        torch.zeros(nodes, 5, dtype=dtype),
-        torch.zeros(30, 2, 2, 2, dtype=dtype),
-        torch.zeros(3, dtype=dtype),
-        torch.ones(3, dtype=dtype),
+        torch.zeros(nodes, 5),
+        torch.zeros(30, 2, 2, 2),
+        torch.zeros(3),
+        torch.ones(3),
     )

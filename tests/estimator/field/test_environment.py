@@ -76,7 +76,7 @@ def plate_spec(gap_mm, permeability=1e12):
 def dipole_field_at_sensors(spec):
     place = scene(spec)
     return sensed_field(
-        place, zero_motion(place), FieldModel(magnet_source(spec.magnets), "dipole")
+        place, zero_motion(place), FieldModel(magnet_source(spec.magnets), "multipole", 1)
     )[0]
 
 
@@ -150,7 +150,7 @@ def test_a_half_space_overstates_the_pull_of_a_real_plate_as_stated(gap_mm, edge
 
     def field_of_images(points):
         images = mirrored(magnets, plate)
-        model = FieldModel(magnet_source(spec.magnets), "dipole")
+        model = FieldModel(magnet_source(spec.magnets), "multipole", 1)
         return total_field(points, images.centre_mm, images.axis, model)
 
     real, half_space = (pulls_on_dipoles(f)[:5] for f in (field_of_panels, field_of_images))
@@ -166,7 +166,7 @@ def test_second_images_between_two_jaws_are_a_twenty_fifth_of_the_change():
         for x in (21.0, -21.0)
     ]
     spec = ObjectSpec.model_validate({"name": "cube", "environment": {"steel_plates": jaws}})
-    model = FieldModel(magnet_source(spec.magnets), "dipole")
+    model = FieldModel(magnet_source(spec.magnets), "multipole", 1)
     magnets, points = magnet_layout(spec), tuple(sensor_layout(spec).position_mm.T[:, None])
     right, left = environment(spec).plates
     centre, axis = (tuple(a.T[:, :, None]) for a in (magnets.centre_mm, magnets.axis))

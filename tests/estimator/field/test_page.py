@@ -20,7 +20,7 @@ MODELS = {
     "ring": FieldModel(RING, "multipole", 9),
     "block": FieldModel(BLOCK, "exact"),
     "block as charges": FieldModel(BLOCK, "charges", charges=3),
-    "dipole": FieldModel(DISK, "dipole"),
+    "dipole": FieldModel(DISK, "multipole", 1),
 }
 STRAY_T = (1.3 * np.array([0.2, 1.0, -0.4]) / np.sqrt(1.2)).tolist()
 AROUND = {

@@ -150,34 +150,26 @@ def test_too_little_is_refused(frames):
             splitter(few, 0)
 
 
-@pytest.mark.parametrize("shares", [(0.5, 0.2, 0.2), (1.2, -0.1, -0.1), (1.0, 0.0, 0.0)])
-def test_shares_must_add_up(frames, shares):
-    with pytest.raises(InputError, match="add up to 1"):
-        split_presses(frames, 0, shares)
-
-
-def test_of_two_presses_the_spare_ones_go_to_validation_and_test_by_their_shares():
+def test_of_two_presses_the_spare_ones_go_to_validation_and_test_alike():
     frames = synthetic_frames(presses=2, faces=(2, 4), rest=1, loaded=3)
-    split = split_presses(frames, 3, (0.5, 0.4, 0.1))
+    split = split_presses(frames, 3)
     counts = [len(np.unique(frames.press_id[part])) for part in (split.validation, split.test)]
-    assert counts == [32, 8]
+    assert counts == [20, 20]
 
 
 @pytest.mark.parametrize(
-    ("count", "shares", "sizes"),
+    ("count", "sizes"),
     [
-        (10, (0.6, 0.2, 0.2), [6, 2, 2]),
-        (7, (0.6, 0.2, 0.2), [4, 2, 1]),  # 4.2, 1.4, 1.4: the first of the equal remainders
-        (3, (0.6, 0.2, 0.2), [1, 1, 1]),
-        (4, (0.9, 0.05, 0.05), [2, 1, 1]),
-        (2, (0.6, 0.2, 0.2), [1, 1, 0]),  # 1.2, 0.4, 0.4
-        (2, (0.3, 0.4, 0.3), [1, 1, 0]),
-        (1, (0.2, 0.2, 0.6), [0, 0, 1]),
-        (0, (0.6, 0.2, 0.2), [0, 0, 0]),
+        (10, [6, 2, 2]),
+        (7, [4, 2, 1]),  # 4.2, 1.4, 1.4: the first of the equal remainders
+        (3, [1, 1, 1]),
+        (2, [1, 1, 0]),  # 1.2, 0.4, 0.4
+        (1, [1, 0, 0]),
+        (0, [0, 0, 0]),
     ],
 )
-def test_members_are_shared_out_by_the_largest_remainder(count, shares, sizes):
-    found = splits.split_parts(count, shares)
+def test_members_are_shared_out_by_the_largest_remainder(count, sizes):
+    found = splits.split_parts(count)
     assert np.bincount(found, minlength=3).tolist() == sizes
     assert (np.diff(found) >= 0).all()
 
