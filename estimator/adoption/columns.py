@@ -177,7 +177,7 @@ def _roles_of_values(values: Float[np.ndarray, "row column"]) -> list[str]:
     # the last chips may never answer: columns of zeros at the end are no labels
     while tail and _is_silent(values[:, width - tail]):
         tail -= 1
-    forces = _continuous_labels(values, head, width - tail, kinds)
+    forces = _continuous_labels(values, head, width - tail)
     roles = [*kinds[:head], *["chips"] * (width - head - tail), *kinds[width - tail :]]
     for column in forces:
         roles[column] = "force"
@@ -218,7 +218,7 @@ def _kind(column: Float[np.ndarray, "row"]) -> str:
     return ""
 
 
-def _continuous_labels(values: Any, head: int, end: int, kinds: list[str]) -> list[int]:
+def _continuous_labels(values: Any, head: int, end: int) -> list[int]:
     """Return columns of forces next to the chips': of another grain than those, or one or two too many.
 
     Raises

@@ -246,7 +246,7 @@ class PredictedMotions:
 
 
 def predicted_motions(
-    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, presses: RecordedPresses
+    forces: PressForces, motions: MagnetMotions, presses: RecordedPresses
 ) -> PredictedMotions:
     """Superpose the lattice's presses; a face's tips share its force equally.
 

@@ -158,7 +158,7 @@ def simulate_presses(
         if progress is not None:
             progress(f"{min(start + block, len(plan.face))} of {len(plan.face)} presses")
     force = relaxed_force_n(force, np.arange(rest + moving) / spec.sensors.frame_rate_hz, prony)
-    return _labelled(spec, signals, plan, force, readings, rng, spec_hash)
+    return _labelled(spec, plan, force, readings, rng, spec_hash)
 
 
 def _press_forces(
@@ -205,7 +205,6 @@ def with_nuisances(
 
 def _labelled(
     spec: ObjectSpec,
-    signals: Signals,
     plan: PressPlan,
     force: Float[np.ndarray, "press frame"],
     readings: Float[np.ndarray, "press frame channel"],

@@ -82,13 +82,11 @@ class RecordedMotion:
     down : (frame, 3) unit vector of the weight in the object's frame; NaN where it is not known
     pull : (frame, 3) weight that the object feels over its weight at rest: −f/g of the specific force f.
         Contacts bear this, at rest and accelerated: Σ F + m g = m a is Σ F = m f. NaN where it was silent
-    rate_rad_s : (frame,) size of the angular rate
     """
 
     time_s: Float[np.ndarray, "frame"]
     down: Float[np.ndarray, "frame 3"]
     pull: Float[np.ndarray, "frame 3"]
-    rate_rad_s: Float[np.ndarray, "frame"]
 
     @property
     def jolt_m_s2(self) -> Float[np.ndarray, "frame"]:
@@ -142,8 +140,7 @@ def recorded_motion(
         attitude.update(float(time_s[frame]), values)
         if attitude.down is not None:
             down[frame] = attitude.down
-    pull = -motion[:, :3] / GRAVITY_M_S2
-    return RecordedMotion(time_s, down, pull, np.linalg.norm(motion[:, 3:], axis=1))
+    return RecordedMotion(time_s, down, -motion[:, :3] / GRAVITY_M_S2)
 
 
 def read_motion(path: Path | str) -> RecordedMotion | None:

@@ -36,8 +36,7 @@ class Surroundings:
     earth_field_ut : the specification's, or a typical one where it gives none
     turning_largest_counts : largest change of a channel when the object is turned over in it
     turning_rms_counts : rms change of a channel between two random orientations
-    jaw_gap_mm : gaps between a face and a steel jaw that covers it
-    jaw_counts : (face, gap) largest change of that face's own channels
+    jaw_counts : (face, gap) largest change of a face's own channels by a steel jaw that covers it
     jaw_elsewhere_counts : (face, gap) largest change of any other face's channels
     jaw_pull_n : (face, gap) largest force on a magnet
     """
@@ -45,14 +44,13 @@ class Surroundings:
     earth_field_ut: float
     turning_largest_counts: float
     turning_rms_counts: float
-    jaw_gap_mm: Float[np.ndarray, "gap"]
     jaw_counts: Float[np.ndarray, "face gap"]
     jaw_elsewhere_counts: Float[np.ndarray, "face gap"]
     jaw_pull_n: Float[np.ndarray, "face gap"]
 
 
-def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) -> Surroundings:
-    """Turning in Earth's field, and a steel jaw at one face after another.
+def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...]) -> Surroundings:
+    """Turning in Earth's field, and a steel jaw at one face after another, with each of the gaps between.
 
     The jaw is a half-space, an upper bound of real ones (`estimator.field.environment`).
     """
@@ -66,7 +64,6 @@ def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) 
         earth_ut,
         2 * per_channel,
         float(np.sqrt(2 / 3) * per_channel),
-        np.asarray(jaw_gap_mm, float),
         np.where(is_own_face[:, None], size, 0.0).max(axis=-1),
         np.where(is_own_face[:, None], 0.0, size).max(axis=-1),
         np.array([[longest(pull(jaw)) for jaw in row] for row in jaws]),

@@ -105,7 +105,7 @@ class PressBasis:
     Where faces are curved or differ in size, `patches` are this face, then the others in their order;
     else there are none, and one lattice serves all faces.
     `turn`, `shift_mm` take the other faces' frames to this one's: first those of `neighbours`
-    (numbers of the adjacent faces), last that of `opposite`, where it is sensed. The opposite face
+    (numbers of the adjacent faces), last that of the opposite one, where it is sensed. The opposite face
     has no rows: what motions of magnets that far away add does not show in the bounds. Of the shell
     without magnets, at every location: `deepest_n`, force of the deepest simulated press, and
     `mm_per_n`, indentation depth over force.
@@ -113,7 +113,6 @@ class PressBasis:
 
     face: int
     neighbours: tuple[int, ...]
-    opposite: int | None
     force_n: float
     places: PlaceGrid
     on_face: Bool[np.ndarray, "grid_place"]
@@ -197,13 +196,11 @@ def press_bases(
     def tensor(values: object) -> Tensor:
         return torch.as_tensor(np.asarray(values), dtype=dtype)
 
-    opposite = [frame.number for frame in others if _opposite(frame, here)]
     first, step = (tensor(part) for part in ends_and_steps(lattice))
     order = [face, *(frame.number for frame in others)]
     shared = PressBasis(
         face,
         tuple(adjacent),
-        opposite[0] if opposite else None,
         np.nan,
         contact_grid(spec),
         has_place,

@@ -84,7 +84,6 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
     return PressBasis(
         face,
         (),
-        None,
         force,
         contact_grid(spec),
         has_place,

@@ -149,7 +149,7 @@ def _compare(
     design, rest = designed(spec), rest_motion(motions)
     nearest = min_distance_mm(design.scene, motions.all_motions)
     model = magnets_model(spec.magnets, nearest)
-    moving = predicted_motions(spec, forces, motions, presses)
+    moving = predicted_motions(forces, motions, presses)
     predictions = predict(spec, design, moving, rest, model)
     faces = pressed_faces(presses)
     agreements = [agreement(spec, presses, predictions, face, spec.seed) for face in (*faces, None)]

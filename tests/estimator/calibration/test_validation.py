@@ -75,7 +75,7 @@ def problem():
     """Recordings of the true object, with noise: 3 counts and 5 % of each channel."""
     forces, motions = synthetic_presses(SPEC)
     silent = presses_of()
-    moving, rest = predicted_motions(SPEC, forces, motions, silent), rest_motion(motions)
+    moving, rest = predicted_motions(forces, motions, silent), rest_motion(motions)
     signal = predict(SPEC, true_object(), moving, rest, MODEL).counts[np.arange(20), silent.case]
     rng = np.random.default_rng(7)
     signal *= 1 + 0.05 * rng.standard_normal(signal.shape)
@@ -170,9 +170,7 @@ def motions_of(case, force_n):
     force = np.zeros((20, 5))
     force[:, [2, 4]] = force_n
     presses = replace(presses_of(), face_force_n=force, cases=(case, *CASES[1:]))
-    return predicted_motions(SPEC, forces, motions, presses).motion_of_cases(
-        np.zeros(20, int), 1.0
-    )[0]
+    return predicted_motions(forces, motions, presses).motion_of_cases(np.zeros(20, int), 1.0)[0]
 
 
 def test_motions_superpose_over_tips_and_faces():
@@ -192,10 +190,10 @@ def test_a_case_on_other_faces_is_no_prediction():
 def test_a_softer_silicone_moves_as_under_more_force():
     forces, motions = synthetic_presses(SPEC)
     presses = presses_of()
-    moving = predicted_motions(SPEC, forces, motions, presses)
+    moving = predicted_motions(forces, motions, presses)
     ratio = float(MODULUS_RATIOS[5])
     harder = replace(presses, face_force_n=presses.face_force_n / ratio)
-    same = predicted_motions(SPEC, forces, motions, harder)
+    same = predicted_motions(forces, motions, harder)
     assert_allclose(
         moving.motion_of_cases(presses.case, ratio),
         same.motion_of_cases(presses.case, 1.0),

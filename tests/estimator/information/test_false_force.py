@@ -55,7 +55,7 @@ def test_jaws_of_steel_pull_and_press_and_those_of_aluminium_and_plastic_do_not(
 
 def test_counts_hold_the_steels_field_and_the_motion_by_its_pull():
     stiff = jaw_effects(SPEC, on_springs(0.0), signals())[0]
-    assert_allclose(stiff.counts, surroundings(SPEC).jaw_counts[:, 0].max())
+    assert_allclose(stiff.counts, surroundings(SPEC, (0.0,)).jaw_counts[:, 0].max())
     # Towards steel magnets leave the sensors: what the motion adds goes with the springs.
     soft, softer = (jaw_effects(SPEC, on_springs(s), signals())[0].counts for s in (0.01, 0.02))
     assert abs(soft - stiff.counts) > 0.5

@@ -86,7 +86,7 @@ def of_chips_and_surroundings():
     errors = chip_errors(SPEC.sensors.changed(chip_spread=(0.05, 0.02)), 15, 7)
     yield "matrices of drawn chips", errors.matrix
     around = changed(environment={"earth_ut": [0.0, 0.0, -48.0]})
-    felt = surroundings(around)
+    felt = surroundings(around, (0.0, 10.0))
     yield (
         "object turned in earth's field (counts)",
         [
