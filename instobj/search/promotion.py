@@ -19,14 +19,13 @@ from instobj.search.fidelity import (
     Bounds,
     TwinRatio,
     bounds_of_twins,
-    estimator_errors,
     twin_ratios,
 )
 from instobj.search.levels import Levels
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.trials import KeptTrials, Trial
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion, merit, objections
-from instobj.store.readers import FINDINGS, METRICS
+from instobj.store.readers import FINDINGS
 
 _APART = 0.05
 """Share of the unit cube: leaders differ by at least that much in some variable."""
@@ -43,7 +42,7 @@ class Promoter:
     """Way of a search's leaders through the fidelity levels, within its time.
 
     The functions say what else is asked of layouts: where a leader walks between the levels, what keeps
-    one from being fabricated, bounds of its toleranced twins, and errors of estimators trained for it.
+    one from being fabricated, and bounds of its toleranced twins.
     """
 
     space: SearchSpace
@@ -52,7 +51,6 @@ class Promoter:
     walk: Callable[..., dict[str, Any] | None] = corrected_params
     unbuildable: Callable[[ObjectSpec, ObjectSpec], str] = why_unbuildable
     twins: Callable[[ObjectSpec], list[Bounds]] = bounds_of_twins
-    errors: Callable[[ObjectSpec], dict[str, float]] = estimator_errors
 
     def __post_init__(self) -> None:
         self.search, self.say = self.space.spec.search, self.levels.say
@@ -84,7 +82,6 @@ class Promoter:
                 SECOND: _correlations([self.start, *finalists], SECOND, LAST),
             },
             ratios,
-            self._errors((self.start, *finalists)),
             objections(self.search, best, self.start, ratios),
             (len(trials), min(self.search.finalists, len(trials))),
         )
@@ -190,26 +187,6 @@ class Promoter:
         except TimeSpent:
             self.say("twins are left out: the time is over")
             return {}
-
-    def _errors(self, layouts: Sequence[Promoted]) -> dict[str, dict[str, float]]:
-        """Errors of estimators by layout, for as long as there is time: the verdict stands without them."""
-        errors: dict[str, dict[str, float]] = {}
-        took_s = 0.0
-        if self.limit.left_s <= 0:
-            return {}
-        try:
-            self.levels.make(layouts, (METRICS.stage,))
-            for layout in layouts:
-                before_s = self.limit.left_s
-                if took_s > before_s:
-                    self.say(f"estimators of {layout.label} are left out: time runs short")
-                    continue
-                self.say(f"estimators of {layout.label}")
-                errors[layout.label] = self.errors(layout.spec)
-                took_s = max(took_s, before_s - self.limit.left_s)
-        except TimeSpent:
-            self.say("further estimators are left out: the time is over")
-        return errors
 
     def _short(self) -> bool:
         return self.limit.left_s <= self.needed_s

@@ -38,10 +38,8 @@ class Promotion:
 
     `correlations` are rank correlations of every score between a level and the next, by its number;
     `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
-    toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
-    achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
-    say why the highest fidelity level does not call the best one better than the start. `asked` are
-    the numbers of leaders and finalists that should have been scored.
+    toleranced twins. `objections` say why the highest fidelity level does not call the best one better
+    than the start. `requested` are the numbers of leaders and finalists that should have been scored.
 
     Where the time ended before the chain had scored a finalist there is none, and the leaders begin
     with the one that it had come to.
@@ -52,7 +50,6 @@ class Promotion:
     finalists: tuple[Promoted, ...]
     correlations: dict[str, dict[str, float]]
     ratios: dict[str, TwinRatio]
-    estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
     requested: tuple[int, int]
 

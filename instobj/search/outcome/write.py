@@ -118,7 +118,6 @@ def _results(promotion: Promotion) -> dict[str, Any]:
                 "leaders": [promoted(layout) for layout in promotion.leaders],
                 "finalists": [layout.label for layout in promotion.finalists],
                 "rank_correlations": promotion.correlations,
-                "estimators": promotion.estimators,
                 "ratios": {name: asdict(ratio) for name, ratio in promotion.ratios.items()},
             }
         )
