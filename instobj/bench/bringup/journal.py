@@ -22,7 +22,7 @@ from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
-from instobj.bench.bringup.asking.asked import Recording, asked_of, further_holds
+from instobj.bench.bringup.asking.asked import Recording, asked_of
 from instobj.bench.bringup.diagnosis.findings import channel_name
 
 _FORMAT = "# instobj bench bringup 1"
@@ -140,7 +140,7 @@ def _read(path: Path, spec: ObjectSpec) -> tuple[Journal, int]:
     """The journal, and how many bytes of it are whole recordings."""
     lines = path.read_bytes().decode("utf-8", "replace").splitlines(keepends=True)
     _require_own(path, spec, [line.rstrip("\n") for line in lines[:2]])
-    names = {question.name for question in (*asked_of(spec), *further_holds(spec))}
+    names = {question.name for question in asked_of(spec)}
     journal, position = Journal(path), 2
     sound = sum(len(line.encode()) for line in lines[:2])
     while position < len(lines):

@@ -14,9 +14,8 @@ from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
-from instobj.bench.bringup.asking.asked import Question, Recording, further_holds
+from instobj.bench.bringup.asking.asked import Question, Recording
 from instobj.bench.bringup.journal import Journal, channels_of
-from instobj.bench.bringup.next_hold import next_hold
 from instobj.bench.bringup.simulated import SimulatedObject
 from instobj.bench.collect.options import TypedLines
 
@@ -36,10 +35,6 @@ class Source(Protocol):
         """The frames that follow."""
         ...
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Return the next hold after the planned ones, None where gains are known well enough."""
-        ...
-
 
 class _Nobody:
     """A user who does as asked and keeps whatever was found."""
@@ -48,14 +43,6 @@ class _Nobody:
         """Nothing, or to keep what was found."""
         del question
         return KEEP if KEEP in allowed else ""
-
-
-class _TellsMost:
-    """Asks for the further hold that says most."""
-
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Return the hold that says most."""
-        return next_hold(spec, journal.recordings, journal.skipped)
 
 
 @dataclass
@@ -68,15 +55,9 @@ class FromFile(_Nobody):
         """That recording, where the file holds it."""
         return self.journal.recordings.get(question.name)
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Those that the file holds, in its order."""
-        holds = {hold.name: hold for hold in further_holds(spec)}
-        names_left = (name for name in self.journal.recordings if name not in journal.recordings)
-        return next((holds[name] for name in names_left if name in holds), None)
-
 
 @dataclass
-class Simulated(_Nobody, _TellsMost):
+class Simulated(_Nobody):
     """A simulated object whose user does as asked and keeps every fault."""
 
     made: SimulatedObject
@@ -87,7 +68,7 @@ class Simulated(_Nobody, _TellsMost):
 
 
 @dataclass
-class Board(_TellsMost):
+class Board:
     """A board on a port, and a user at the keyboard; the line is read while the user acts."""
 
     spec: ObjectSpec

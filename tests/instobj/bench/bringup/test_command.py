@@ -11,13 +11,11 @@ from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
 from estimator.recordings.boards.link import serial_chunks
-from instobj.bench.bringup.asking.asked import asked_of, further_holds
+from instobj.bench.bringup.asking.asked import asked_of
 from instobj.bench.bringup.dialogue import ask_questions, open_questions
 from instobj.bench.bringup.journal import channels_of, open_journal, read_journal
-from instobj.bench.bringup.page import bringup_page
 from instobj.bench.bringup.simulated import simulated_object
-from instobj.bench.bringup.sources import Board, FromFile, Simulated
-from instobj.bench.bringup.verdict import judge
+from instobj.bench.bringup.sources import Board
 from tests.support.cli import assert_one_clear_error, run
 from tests.support.new_objects import SMALL, SMALL_TEXT, played_board
 
@@ -197,37 +195,3 @@ def test_journals_of_other_objects_and_damaged_ones_are_refused(tmp_path):
 def test_bad_inputs_give_one_clear_error(tmp_path, arguments, words):
     (tmp_path / "small.toml").write_text(SMALL_TEXT)
     assert_one_clear_error(run("bench", "bringup", "small.toml", *arguments, cwd=tmp_path), *words)
-
-
-def test_a_replay_takes_every_further_hold_and_again_asks_one_anew(tmp_path):
-    recorded = open_journal(tmp_path / "recorded.csv", SMALL)
-    further = [further_holds(SMALL)[number] for number in (14, 3)]
-    for asked in (*ASKED[:3], *further):
-        recorded.append(SCENE.recording(replace(asked, frames=20)))
-    journal = open_journal(tmp_path / "bringup.csv", SMALL)
-    ask_questions(SMALL, FromFile(read_journal(recorded.path, SMALL)), journal, set())
-    assert list(journal.recordings) == [asked.name for asked in (*ASKED[:3], *further)]
-    page = bringup_page(SMALL, journal.recordings, set(), judge(SMALL, {}), [])
-    assert "4 of 12" in page
-    del journal.recordings[further[1].name]
-    ask_questions(SMALL, FromFile(recorded), journal, {further[1].name})
-    assert further[1].name in journal.recordings
-
-
-def test_a_further_hold_is_asked_for_before_the_second_still_recording_and_may_be_skipped(
-    tmp_path,
-):
-    names = [hold.name for hold in further_holds(SMALL)[10:12]]
-    journal, asked = open_journal(tmp_path / "bringup.csv", SMALL), []
-    source = Simulated(SCENE)
-    source.answer = lambda question, allowed: asked.append(question) or "s"
-    source.further = lambda spec, journal: next(
-        (h for h in further_holds(spec) if h.name in names and h.name not in journal.skipped), None
-    )
-    ask_questions(SMALL, source, journal, set())
-    place = [k for k, text in enumerate(asked) if "further hold" in text]
-    assert place == [11, 12]
-    assert "half way along its surface" in asked[11]
-    assert "half a metre away and touch nothing" in asked[13]
-    assert set(names) <= journal.skipped
-    assert len(asked) == len(ASKED) + 2
