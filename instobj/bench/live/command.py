@@ -21,7 +21,7 @@ from instobj.bench.collect.board_state import status_text, supply_text
 from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
 from instobj.bench.collect.options import stop_on_signals
 from instobj.bench.live.contacts import open_estimator
-from instobj.bench.live.page import PageSettings, ServedPage, serve_page, show_in_foxglove
+from instobj.bench.live.page import PageSettings, ServedPage, serve_page
 from instobj.bench.live.recorder import Recorder
 from instobj.bench.live.source import LiveOptions, LiveSource, live_source
 from instobj.bench.live.watch import Watch, channel_names
@@ -72,21 +72,16 @@ def run_live(
     mode, zero_frames = source.zeroing.raw_settings
     estimator = open_estimator(source.spec, source.models, mode, zero_frames)
     watch = Watch(source.spec, estimator, 0 if mode == "none" else zero_frames)
-    if options.foxglove is not None:
-        serving = show_in_foxglove(watch, options.foxglove)
-    else:
-        settings = PageSettings(source.scene, options.address, options.page_port, token)
-        serving = serve_page(watch, settings)
+    settings = PageSettings(source.scene, options.address, options.page_port, token)
     state = Collection(source.readings, source.readings.first_places)
     with (
         closing(source.chunks),
-        serving as page,
+        serve_page(watch, settings) as page,
         stop_on_signals(state.stop),
         progress.stage(f"live, {source.name}"),
     ):
         session = _Session(source, state, Recorder(state), page, watch)
-        shown = page.url if options.foxglove else f"open {page.url} in a browser"
-        progress.say(f"{shown}; Ctrl-C ends")
+        progress.say(f"open {page.url} in a browser; Ctrl-C ends")
         failure = _follow(session, options, progress)
     return _ended(session, failure)
 

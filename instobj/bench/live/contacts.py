@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -188,22 +187,6 @@ def placed_contact(
     point, axes = _place_on_body(spec, place)
     pushed = axes @ np.append(pull_n, -force[1])
     return [*place, *force, *point, *axes[:, 2], *pushed]
-
-
-def frame_document(spec: ObjectSpec, reading: Found, time_s: float) -> dict[str, Any]:
-    """Return a frame as `instobj predict --port` prints it, as far as the page knows it."""
-    contacts = []
-    names = ("x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n")
-    for row in reading.contacts:
-        place = int(row[0]), float(row[1]), float(row[2])
-        _, axes = _place_on_body(spec, place)
-        pull_n = axes.T @ row[12:]  # along the face's x and y, and the outward normal
-        tangential = {"tangential_x_n": float(pull_n[0]), "tangential_y_n": float(pull_n[1])}
-        contacts.append(
-            {"face": place[0]} | dict(zip(names, row[1:6].tolist(), strict=True)) | tangential
-        )
-    stamp = {"time_s": time_s, "explained": reading.explained, "chip_out": reading.chip_out}
-    return stamp | {"contacts": contacts}
 
 
 def placed_label(spec: ObjectSpec, face: int, x: float, y: float, force_n: float) -> list[float]:

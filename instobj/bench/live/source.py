@@ -41,7 +41,6 @@ class LiveOptions:
     address, page_port : that the page is served on
     record : whether to record from the beginning
     seconds : how long; None until Ctrl-C
-    foxglove : MCAP file, or foxglove[:PORT], in place of the page
     """
 
     spec: Path | None
@@ -54,7 +53,6 @@ class LiveOptions:
     page_port: int = 8765
     record: bool = False
     seconds: float | None = None
-    foxglove: Path | None = None
 
     @property
     def token(self) -> str:

@@ -72,11 +72,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Reading:
-    """Last contacts of the estimator, when the row that it read had arrived (0: in none), and its stamp."""
+    """Last contacts of the estimator, and when the row that it read had arrived (0: in none)."""
 
     read: Found
     arrived_s: float
-    time_s: float = 0.0
 
 
 NOTHING = Reading(Found(np.zeros((0, CONTACT_WIDTH)), True), 0.0)
@@ -260,7 +259,7 @@ class Watch:
             unseen_s = row.arrived_s - self.reading.arrived_s
             if len(contacts.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
                 self._pressed_s = row.arrived_s
-            self.reading = Reading(contacts, row.arrived_s, row.time_s)
+            self.reading = Reading(contacts, row.arrived_s)
             if contacts.track is not None:
                 self._take_grasps(contacts.track, estimator.method)
 

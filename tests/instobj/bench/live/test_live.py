@@ -15,7 +15,6 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.inversion.storage import save_inversion
 from estimator.recordings.boards import link
 from estimator.recordings.boards.lines import (
     Frame,
@@ -34,10 +33,10 @@ from instobj.bench.live.command import live, run_live
 from instobj.bench.live.contacts import open_estimator
 from instobj.bench.live.page import PageSettings, serve_page
 from instobj.bench.live.source import LiveOptions, LiveSource, data_set_table
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.commands.readings import Zeroing
 from instobj.store.progress import ProgressLine
-from tests.support.mechanics.inverted import inverted, labelled_frames
+from tests.support.mechanics.inverted import labelled_frames
 from tests.support.recordings.dummy_board import dummy_board
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
@@ -271,37 +270,3 @@ def test_the_last_line_tells_the_rate_at_which_frames_came(tmp_path):
     assert told["frames"] == 300
     rate = int(re.search(r"frames at (\d+)/s", told["texts"][0])[1])
     assert 180 <= rate <= 210
-
-
-def shown_in(target, port, models, folder):
-    """What `bench live` tells of 5 s of a board whose contacts go to `target`."""
-    source = replace(source_of(port, folder / "a.csv"), spec=inverted().model.spec, models=models)
-    options = LiveOptions(None, source.readings, models, foxglove=target, seconds=5.0)
-    return run_live(source, options, "", ProgressLine())
-
-
-def test_contacts_go_to_a_file_of_foxglove_in_place_of_the_page(tmp_path):
-    mcap, rng = pytest.importorskip("mcap.reader"), np.random.default_rng(0)
-    save_inversion(inverted(), tmp_path / "contacts.nc")
-
-    def resting(k):
-        return encode_frame(k, 10 * k, np.round(300 + rng.normal(0, 5, 45)).tolist())
-
-    names = tuple(channel_names(inverted().model.spec))
-    with dummy_board(resting, channels=names) as port:
-        shown_in(tmp_path / "live.mcap", port, (tmp_path / "contacts.nc",), tmp_path)
-    with (tmp_path / "live.mcap").open("rb") as file:
-        sent = list(mcap.make_reader(file).iter_messages())
-    assert {channel.topic for _, channel, _ in sent} >= {
-        *("/instobj/contacts", "/instobj/wrench", "/instobj/scene", "/instobj/heatmap_1")
-    }
-    stamps = [m.log_time for _, channel, m in sent if channel.topic == "/instobj/contacts"]
-    assert len(stamps) > 10
-    assert np.all(np.diff(stamps) > 0)
-    # stamps follow the board's clock, which may run some hundredths of a second ahead
-    assert -1 < time.time() - stamps[-1] / 1e9 < 60
-
-
-def test_foxglove_without_an_estimator_is_one_error(tmp_path):
-    with dummy_board() as port, pytest.raises(InputError, match="Give --model"):
-        shown_in(tmp_path / "live.mcap", port, (), tmp_path)
