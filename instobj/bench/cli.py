@@ -108,11 +108,8 @@ def live(
         typer.Argument(help="Specification (TOML); --demo brings one.", show_default=False),
     ] = None,
     model: Annotated[
-        list[Path] | None,
-        typer.Option(
-            help="Estimator: contacts.nc, or one exported face_<n>.onnx per face (repeat the option); "
-            "without it only channels are shown."
-        ),
+        Path | None,
+        typer.Option(help="Estimator, contacts.nc; without it only channels are shown."),
     ] = None,
     port: Port = None,
     replay: Replay = None,
@@ -158,7 +155,7 @@ def live(
         speed, tuple(place or ()), zero_frames=zero_frames,
     )  # fmt: skip
     options = LiveOptions(
-        spec, readings, tuple(model or ()), demo, Zeroing(mode, zero_frames),
+        spec, readings, model, demo, Zeroing(mode, zero_frames),
         tuple(overrides or ()), address, page_port,
         record is not None, seconds,
     )  # fmt: skip

@@ -70,7 +70,7 @@ def run_live(
 ) -> dict[str, Any]:
     """Serve and record a source; as `live`."""
     mode, zero_frames = source.zeroing.raw_settings
-    estimator = open_estimator(source.spec, source.models, mode, zero_frames)
+    estimator = open_estimator(source.spec, source.model, mode, zero_frames)
     watch = Watch(source.spec, estimator, 0 if mode == "none" else zero_frames)
     settings = PageSettings(source.scene, options.address, options.page_port, token)
     state = Collection(source.readings, source.readings.first_places)

@@ -131,7 +131,6 @@ def read_frames(watch: Watch) -> None:
         while not watch.ended:
             begun_s = time.monotonic()
             watch.read_next()
-            if not watch.needs_every_frame:
-                time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
+            time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
     except Exception as error:  # of a model's runtime, of any kind
         watch.stop_reading(f"contacts are no longer read: {type(error).__name__}: {error}")

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards import link
 from estimator.recordings.boards.lines import (
@@ -51,7 +51,7 @@ UPGRADE = (
 def source_of(port, out):
     readings = CollectOptions(out, port, cells=1, tips=1, zero_frames=5)
     zeroing = Zeroing("first", 5)
-    return LiveSource(SPEC, b"scene", port, serial_chunks(port), readings, (), zeroing)
+    return LiveSource(SPEC, b"scene", port, serial_chunks(port), readings, None, zeroing)
 
 
 def numbered(k):
@@ -119,7 +119,7 @@ def test_the_battery_of_a_wireless_object_is_said(tmp_path):
 class Failing:
     """An estimator whose runtime fails."""
 
-    needs_every_frame, channels, presses = True, (), None
+    channels, presses = (), None
 
     def feed(self, raw_counts, time_s, left_out):
         raise RuntimeError("no kernel image")
@@ -210,9 +210,9 @@ def test_what_cannot_be_shown(tmp_path, given, words):
 def test_a_model_that_is_not_there_is_told_before_anything_is_opened_or_built(tmp_path):
     (tmp_path / "cube.toml").write_text('name = "cube"\n', encoding="utf-8")
     readings = CollectOptions(tmp_path / "x", port="/dev/nothing")
-    missing = (tmp_path / "nope.onnx",)
-    with pytest.raises(InputError, match=r"no model at .*nope\.onnx"):
-        live(LiveOptions(tmp_path / "cube.toml", readings, models=missing))
+    missing = tmp_path / "nope.nc"
+    with pytest.raises(InputError, match=r"no model at .*nope\.nc"):
+        live(LiveOptions(tmp_path / "cube.toml", readings, model=missing))
 
 
 @pytest.mark.parametrize("wrong", ["port", "load_port"])
@@ -236,14 +236,12 @@ def test_only_other_addresses_have_a_token(tmp_path):
     assert far.token != far.token
 
 
-def test_models_that_do_not_fit_are_told(tmp_path):
-    for models, words in (
-        ((tmp_path / "no.onnx",), "no model at"),
-        ((tmp_path / "a.nc", tmp_path / "b.onnx"), "no model at"),
-    ):
-        with pytest.raises(InputError, match=words):
-            open_estimator(SPEC, models, "rest", 8)
-    assert open_estimator(SPEC, (), "rest", 8) is None
+def test_a_file_that_is_no_estimator_is_told(tmp_path):
+    network = tmp_path / "face_1.onnx"
+    network.write_bytes(b"network")
+    with pytest.raises((InputError, StoreError), match="face_1"):
+        open_estimator(SPEC, network, "rest", 8)
+    assert open_estimator(SPEC, None, "rest", 8) is None
 
 
 def test_another_objects_board_is_refused(tmp_path):

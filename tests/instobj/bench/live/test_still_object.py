@@ -29,7 +29,7 @@ CONTACT = (216, 27, 154)
 class Sliding:
     """A contact of 6 N that slides over face 3, and one of 5 N on face 5, behind the object."""
 
-    needs_every_frame, channels, presses = False, (), None
+    channels, presses = (), None
 
     def feed(self, raw_counts, time_s, left_out):
         places = ((3, 8 * np.sin(3 * time_s), 4.0), 6.0), ((5, 0.0, 0.0), 5.0)
