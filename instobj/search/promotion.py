@@ -12,7 +12,6 @@ from design.errors import InputError
 from design.search.space import SearchSpace, start_params, unit_of, with_layout
 from design.spec.object import ObjectSpec
 from estimator.field.device import one_thread
-from estimator.layouts.fidelity import rank_correlations
 from instobj.commands.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
@@ -77,10 +76,6 @@ class Promoter:
             self.start,
             tuple(ranked),
             tuple(finalists),
-            {
-                FIRST: _correlations([self.start, *scored], FIRST, SECOND),
-                SECOND: _correlations([self.start, *finalists], SECOND, LAST),
-            },
             ratios,
             objections(self.search, best, self.start, ratios),
             (len(trials), min(self.search.finalists, len(trials))),
@@ -215,9 +210,3 @@ def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
         if len(chosen) == count:
             break
     return chosen
-
-
-def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
-    return rank_correlations(
-        *([layout.levels[level] for layout in layouts] for level in (lower, upper))
-    )

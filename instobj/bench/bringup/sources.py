@@ -11,11 +11,12 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
 from instobj.bench.bringup.asking.asked import Question, Recording
-from instobj.bench.bringup.journal import Journal, channels_of
+from instobj.bench.bringup.journal import Journal
 from instobj.bench.bringup.simulated import SimulatedObject
 from instobj.bench.collect.options import TypedLines
 
@@ -139,7 +140,7 @@ class Board:
 
     def _columns(self, channels: tuple[str, ...]) -> dict[int, int]:
         """Column of the board → channel of the specification."""
-        column_of_name = {name: k for k, name in enumerate(channels_of(self.spec))}
+        column_of_name = {name: k for k, name in enumerate(channel_names(self.spec))}
         foreign = [name for name in channels if name not in column_of_name]
         if foreign:
             raise InputError(
@@ -149,14 +150,14 @@ class Board:
         return {column: column_of_name[name] for column, name in enumerate(channels)}
 
     def _recording(self, question: Question, frames: list[Frame]) -> Recording:
-        counts = np.full((len(frames), len(channels_of(self.spec))), np.nan)
+        counts = np.full((len(frames), len(channel_names(self.spec))), np.nan)
         values = np.array([frame.counts for frame in frames], float)
         counts[:, list(self.columns.values())] = values[:, list(self.columns)]
         if np.nanmax(abs(counts), initial=0.0) > LARGEST_COUNT + 1:
             row, column = np.argwhere(abs(counts) > LARGEST_COUNT + 1)[0]
             raise InputError(
                 f"{self.port} sends {counts[row, column]:.0f} counts for "
-                f"{channels_of(self.spec)[column]}; chips of 16 bits send ±{LARGEST_COUNT + 1} at most. "
+                f"{channel_names(self.spec)[column]}; chips of 16 bits send ±{LARGEST_COUNT + 1} at most. "
                 "Check the board's firmware"
             )
         return Recording(

@@ -13,6 +13,7 @@ import numpy as np
 
 from design.catalogue.bus_parts import MOTION
 from design.errors import InputError, InstobjError
+from estimator.calibration.resting import channel_names
 from estimator.recordings.attitude import Attitude
 from estimator.recordings.boards.growing import finish_recording
 from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
@@ -24,7 +25,7 @@ from instobj.bench.live.contacts import open_estimator
 from instobj.bench.live.page import PageSettings, ServedPage, serve_page
 from instobj.bench.live.recorder import Recorder
 from instobj.bench.live.source import LiveOptions, LiveSource, live_source
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 

@@ -12,12 +12,12 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from estimator.calibration.resting import channel_names
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.boards.link import replay_chunks, require_port
 from estimator.recordings.table import LEAST_FACES, RawTable
 from instobj.bench.collect.options import CollectOptions, open_source
 from instobj.bench.live.scene import live_scene
-from instobj.bench.live.watch import channel_names
 from instobj.commands.readings import Zeroing, is_data_set, zeroed_data_set
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine

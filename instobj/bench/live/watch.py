@@ -16,15 +16,14 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import InputError
-from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.grasps.growing import GrowingGrasps
 from estimator.grasps.measures import MeasuredGrasp, conditions_of
 from estimator.grasps.track import ContactTrack
 from estimator.inversion.condition import Condition
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
-from estimator.recordings.table import channel_name
 from instobj.bench.live.contacts import Found, InvertedContacts, placed_labels
 from instobj.bench.live.health import (
     WINDOW,
@@ -45,16 +44,6 @@ _SHOWN_GRASPS = 50
 _SHOWN_MEASURES = ("peak_n", "grasp_n", "slip_mm")
 AGAIN_S = 0.5
 """Pause after a frame that the estimator refused."""
-
-
-def channel_names(spec: ObjectSpec) -> list[str]:
-    """Channels in the order sensor · 3 + axis, named as boards do."""
-    last_sensor: dict[int, int] = {}
-    names = []
-    for face in sensor_layout(spec).face.tolist():
-        sensor = last_sensor[face] = last_sensor.get(face, -1) + 1
-        names += [channel_name(face - 1, sensor, axis) for axis in range(3)]
-    return names
 
 
 @dataclass(frozen=True)

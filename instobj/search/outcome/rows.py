@@ -9,7 +9,7 @@ from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
 
 
 def promotion_tables(promotion: Promotion) -> dict[str, list[dict[str, Any]]]:
-    """Title → rows: scores at each fidelity level, virtual objects, and how levels rank."""
+    """Title → rows: scores at each fidelity level, and virtual objects."""
     return {
         "lowest fidelity level: rigid magnets in first reflection, linear signals": _level_rows(
             promotion, FIRST
@@ -19,7 +19,6 @@ def promotion_tables(promotion: Promotion) -> dict[str, list[dict[str, Any]]]:
         ),
         "highest fidelity level: the chain": _level_rows(promotion, LAST),
         "highest fidelity level, between objects within tolerance": ratio_rows(promotion),
-        "how well a fidelity level ranks the next (Spearman)": correlation_rows(promotion),
     }
 
 
@@ -28,14 +27,6 @@ def ratio_rows(promotion: Promotion) -> list[dict[str, Any]]:
     return [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
         for name, ratio in promotion.ratios.items()
-    ]
-
-
-def correlation_rows(promotion: Promotion) -> list[dict[str, Any]]:
-    """Rank correlations of every score, from a level to the next."""
-    return [
-        {"score": name, "1 to 2": promotion.correlations[FIRST][name], "2 to 3": second}
-        for name, second in promotion.correlations[SECOND].items()
     ]
 
 

@@ -10,10 +10,11 @@ import pytest
 from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
+from estimator.calibration.resting import channel_names
 from estimator.recordings.boards.link import serial_chunks
 from instobj.bench.bringup.asking.asked import asked_of
 from instobj.bench.bringup.dialogue import ask_questions, open_questions
-from instobj.bench.bringup.journal import channels_of, open_journal, read_journal
+from instobj.bench.bringup.journal import open_journal, read_journal
 from instobj.bench.bringup.simulated import simulated_object
 from instobj.bench.bringup.sources import Board
 from tests.support.cli import assert_one_clear_error, run
@@ -102,7 +103,7 @@ class Typed:
 
 def with_board(journal, lines, channels=None):
     """Go through the questions with these answers."""
-    with played_board(channels or channels_of(SMALL)) as board:
+    with played_board(channels or channel_names(SMALL)) as board:
         board.show(SCENE.recording(replace(ASKED[0], frames=20)))
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=Typed(board, lines))
         ask_questions(SMALL, source, journal, set())
@@ -121,7 +122,7 @@ def test_a_bring_up_at_a_port_goes_on_where_the_user_stopped(tmp_path, capsys):
 
 def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
     journal = open_journal(tmp_path / "bringup.csv", SMALL)
-    with played_board(channels_of(SMALL)) as board:
+    with played_board(channel_names(SMALL)) as board:
         board.show(SCENE.recording(replace(ASKED[0], frames=20)))
         typed = Typed(board, [""])
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=typed)
@@ -134,10 +135,10 @@ def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
 def test_boards_of_other_objects_and_counts_beyond_16_bits_are_refused(tmp_path):
     journal = open_journal(tmp_path / "bringup.csv", SMALL)
     with pytest.raises(InputError, match="F1-X3, which small has not"):
-        with_board(journal, [""], channels=[*channels_of(SMALL)[:-1], "F1-X3"])
+        with_board(journal, [""], channels=[*channel_names(SMALL)[:-1], "F1-X3"])
     far = SCENE.recording(replace(ASKED[0], frames=20))
     far.counts[:, 3, 1] = 70000
-    with played_board(channels_of(SMALL)) as board:
+    with played_board(channel_names(SMALL)) as board:
         board.show(far)
         source = Board(SMALL, serial_chunks(board.port), board.port)
         with pytest.raises(InputError, match="70000 counts for F2-Y2"):

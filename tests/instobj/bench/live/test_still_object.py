@@ -13,11 +13,12 @@ from aiohttp import web
 from PIL import Image
 
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from instobj.bench.live.contacts import Found, placed_contact
 from instobj.bench.live.page import call_within, read_frames
 from instobj.bench.live.scene import live_scene
 from instobj.bench.live.server import Page, application
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from tests.support.browser import Browser, chromium
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")

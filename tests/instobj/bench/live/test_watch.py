@@ -8,11 +8,12 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.grasps.measures import conditions_of, measured_grasps
 from estimator.inversion.condition import object_condition
 from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.bench.live.health import DRIFTING, GOOD
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.commands.assess.groups import with_ends
 from instobj.commands.assess.sentences import answer_text
 from tests.estimator.grasps.grasps_by_hand import joined, squeeze
