@@ -37,12 +37,6 @@ Twin = Annotated[
 def train(
     sources: Sources,
     twin: Twin = None,
-    on: Annotated[
-        Path | None,
-        typer.Option(
-            help="Test data set of the same object, for contacts by inversion (default: held-out presses)."
-        ),
-    ] = None,
     export: Annotated[
         bool,
         typer.Option(
@@ -61,8 +55,8 @@ def train(
     with --set training.model=compact: networks, one per face.
     """
     if export:
-        if twin or on or overrides:
-            raise InputError("--export trains nothing: leave out --twin, --on and --set")
+        if twin or overrides:
+            raise InputError("--export trains nothing: leave out --twin and --set")
         from instobj.commands.predict import export_models
 
         show(export_models(sources, out), as_json)
@@ -71,7 +65,7 @@ def train(
     from instobj.commands.run import run_estimator
 
     stages = ("networks", "metrics")
-    show(run_estimator(sources, stages, out, overrides or [], twin, on), as_json)
+    show(run_estimator(sources, stages, out, overrides or [], twin), as_json)
 
 
 @app.command(rich_help_panel=MEASURE)

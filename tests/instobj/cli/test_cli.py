@@ -270,7 +270,7 @@ def shown_options(command):
     yield from (one for one in command.params if one.param_type_name == "option")
 
 
-MOST_OPTIONS = 129
+MOST_OPTIONS = 128
 """Options of all commands, at most: a new one takes the place of another."""
 
 
