@@ -151,7 +151,7 @@ def build(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet."""
+    """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; order list, assembly sheet."""
     from instobj.commands.run import build_objects
 
     result = build_objects(specs, out, overrides or [])
