@@ -16,7 +16,7 @@ SILICONE_WASTE = 0.15
 
 @dataclass(frozen=True)
 class Item:
-    """What is mixed or printed: how many, how much of all of them, and what to know."""
+    """Silicone or a print: how many, how much all of them hold and weigh, and what to know."""
 
     item: str
     count: int

@@ -217,8 +217,8 @@ class Watch:
             self._rezero_asked = False
             estimator.rezero()
             self._growing.forget()
-        newest, *before = waiting
-        for row in reversed(before[:_MOST_BEHIND]):
+        newest, *older = waiting
+        for row in reversed(older[:_MOST_BEHIND]):
             with suppress(InputError):  # told once it is read
                 estimator.pass_by(self._counts(row), row.time_s, row.left_out)
         self._read(estimator, newest)
