@@ -16,8 +16,7 @@ from tests.support import in_memory, scheduling, typechecks  # noqa: E402
 
 in_memory.install()
 _BRINGUP = [
-    f"instobj.bench.bringup.{part}"
-    for part in ("asking", "diagnosis", "next_hold", "simulated", "verdict")
+    f"instobj.bench.bringup.{part}" for part in ("asking", "diagnosis", "simulated", "verdict")
 ]
 """What a bring-up works out; its dialogue and files are types of the command line."""
 typechecks.install(["design", "fem", "estimator", "studies", *_BRINGUP])

@@ -18,14 +18,9 @@ from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.tolerances.selftest import sensor_names
-from instobj.bench.bringup.asking.asked import further_holds, magnet_names
+from instobj.bench.bringup.asking.asked import asked_of, magnet_names
 from instobj.bench.bringup.diagnosis.findings import channel_name
-from instobj.bench.bringup.simulated import (
-    SimulatedObject,
-    brought_up,
-    parse_fault,
-    simulated_object,
-)
+from instobj.bench.bringup.simulated import SimulatedObject, parse_fault, simulated_object
 from instobj.bench.bringup.verdict import Verdict, judge
 
 CROSS_AXIS = "sensors.chip_spread=[0.0,0.01]"
@@ -92,12 +87,11 @@ def study(spec: ObjectSpec, seed: int, faults: list[str]) -> dict[str, object]:
     """One object."""
     faults = five_faults(spec, seed) if faults == ["five"] else faults
     made = simulated_object(spec, seed, tuple(map(parse_fault, faults)))
-    recordings = brought_up(made)
+    recordings = {question.name: made.recording(question) for question in asked_of(spec)}
     verdict = judge(spec, recordings)
     poses = [r.board_ms.mean() for name, r in recordings.items() if name.startswith("earth")]
     named = [f"{finding.kind}: {finding.where}" for finding in verdict.findings]
-    asked_for = len(recordings.keys() & {hold.name for hold in further_holds(spec)})
-    about = {"seed": seed, "faults": faults, "named": named, "further_holds": asked_for}
+    about = {"seed": seed, "faults": faults, "named": named}
     return about | errors(made, verdict, float(np.mean(poses)) / 1000)
 
 

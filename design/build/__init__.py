@@ -1,1 +1,1 @@
-"""Files of a build: parts, STL, STEP, 3MF, scene, bill of materials, manifest."""
+"""Files of a build: parts, STL, STEP, 3MF, scene, order list, manifest."""

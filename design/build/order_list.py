@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import csv
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from design.build.bom import SCREWS, count_sensors, magnet_name, silicone_amount
+from design.build.amounts import silicone_amount
 from design.catalogue.magnets import GRADES, MAGNET_PARTS, STOCK
 from design.catalogue.orders import (
     ADHESIVE,
@@ -32,6 +33,8 @@ from design.wiring.wires import wire_length_m
 
 _WIRE_M_A_PACK = 10.0
 """Wire in a pack as it is sold (m)."""
+SCREWS = 4
+"""Through the flanges of a mould's halves."""
 CHECK = "price estimated; check number, price and stock before ordering"
 
 
@@ -55,7 +58,7 @@ def order_list(spec: ObjectSpec, plan: BusPlan | None) -> list[OrderLine]:
 
     Without a plan, because the catalogue knows no bus for the sensors, they stand by their name alone.
     """
-    lines = [_sensors_alone(spec)] if plan is None else _electronics(spec, plan)
+    lines = [_sensors_alone(spec)] if plan is None else _electronics(plan)
     return [*lines, *_magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.preset.process], 1)]
 
 
@@ -87,12 +90,12 @@ def price_text(lines: Sequence[OrderLine]) -> str:
     return f"{low:.0f} to {high:.0f} EUR, estimated {lines[0].priced} without shipping"
 
 
-def _electronics(spec: ObjectSpec, plan: BusPlan) -> list[OrderLine]:
+def _electronics(plan: BusPlan) -> list[OrderLine]:
     wire_packs = -(-wire_length_m(plan) // _WIRE_M_A_PACK)
     wanted = [
         (plan.board.name, 1),
         (f"USB {plan.board.name}", 1),
-        *count_sensors(spec, plan).items(),
+        *sorted(Counter(chip.part for chip in plan.chips).items()),
         ("100 nF", len(plan.chips)),
         ("sensor board", len(plan.chips)),
         *plan.extras,
@@ -154,9 +157,18 @@ def _magnets(spec: ObjectSpec) -> list[OrderLine]:
             seller, _, number = part.source.partition(", ")
             lines.append(replace(line, part=f"magnet {part.name}", maker=seller, number=number))
         else:
-            name = magnet_name(spec, which[0])
+            name = _magnet_name(spec, which[0])
             lines.append(replace(line, number=f"{name}, {_grades(spec, which[0])}, axial"))
     return lines
+
+
+def _magnet_name(spec: ObjectSpec, magnet: int) -> str:
+    """One magnet of a face as one would order it."""
+    magnets = spec.magnets
+    kind = f"{magnets.shape} magnet"
+    grade = f" {magnets.grades[magnet]}" if magnets.grades else ""
+    part = f"{magnets.parts[magnet]}, " if magnets.parts else ""
+    return f"{part}{kind}{grade} {magnets.sizes[magnet].told}"
 
 
 def _grades(spec: ObjectSpec, magnet: int) -> str:

@@ -77,18 +77,6 @@ def patches(
     return contact_sets_of(contacts)
 
 
-def training_mean(trained: FrameSet, frames: int) -> ContactSets:
-    """One contact on every face that training presses, at the mean of its places with the mean of its
-    forces, whatever a frame shows."""
-    mean: FrameContacts = []
-    for face in np.unique(trained.contact_face[trained.contact_face > 0]).tolist():
-        here = (trained.contact_face == face) & trained.valid[:, None]
-        x, y = trained.contact_xy_mm[here].mean(axis=0)
-        force = np.where(here, trained.force_n[..., 2], 0.0).sum(axis=1)
-        mean.append((int(face), float(x), float(y), float(force[here.any(axis=1)].mean())))
-    return contact_sets_of([mean] * frames)
-
-
 def contact_sets_of(contacts: list[FrameContacts]) -> ContactSets:
     """Without any uncertainty."""
     from estimator.inversion.model.forward import NONE

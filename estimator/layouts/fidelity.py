@@ -210,28 +210,3 @@ def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
     names = ("median_false_force_n", "percentile_95_false_force_n")
     forces = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
     return {name: float(force_n) for name, force_n in forces.items()}
-
-
-def rank_correlations(
-    lower: Sequence[FidelityScore], upper: Sequence[FidelityScore]
-) -> dict[str, float]:
-    """Spearman's rank correlation of every score between two levels, over the same layouts.
-
-    NaN where one of the levels gives all layouts the same value or one that is not finite, or with
-    fewer than three layouts.
-    """
-    correlations = {}
-    for name in SCORE_NAMES:
-        pairs = np.array(
-            [[getattr(a, name), getattr(b, name)] for a, b in zip(lower, upper, strict=True)]
-        )
-        correlations[name] = _spearman(pairs)
-    return correlations
-
-
-def _spearman(pairs: Float[np.ndarray, "layout 2"]) -> float:
-    from scipy.stats import spearmanr
-
-    if len(pairs) < 3 or not np.isfinite(pairs).all() or (np.ptp(pairs, axis=0) == 0).any():
-        return float("nan")
-    return float(spearmanr(*pairs.T).statistic)  # pyright: ignore[reportAttributeAccessIssue]

@@ -108,11 +108,8 @@ def live(
         typer.Argument(help="Specification (TOML); --demo brings one.", show_default=False),
     ] = None,
     model: Annotated[
-        list[Path] | None,
-        typer.Option(
-            help="Estimator: contacts.nc, or one exported face_<n>.onnx per face (repeat the option); "
-            "without it only channels are shown."
-        ),
+        Path | None,
+        typer.Option(help="Estimator, contacts.nc; without it only channels are shown."),
     ] = None,
     port: Port = None,
     replay: Replay = None,
@@ -136,8 +133,7 @@ def live(
         typer.Option(
             metavar="[ADDRESS:]PORT",
             help="Where the page is served: TCP port (0: any free one), and network address; other "
-            "machines need the access token that is printed. NAME.mcap or foxglove[:PORT] shows contacts "
-            "in Foxglove instead.",
+            "machines need the access token that is printed.",
         ),
     ] = "127.0.0.1:8765",
     seconds: Seconds = None,
@@ -149,21 +145,19 @@ def live(
     from instobj.bench.live.command import live as show_live
     from instobj.bench.live.source import LiveOptions
     from instobj.commands.readings import Zeroing
-    from instobj.robot import is_foxglove
 
     serial_port, baud = port_and_baud(port)
     file, speed = replayed_file(replay)
     mode, zero_frames = zero_and_frames(zero, 20)
-    foxglove = Path(page) if is_foxglove(Path(page)) else None
-    address, page_port = _served_at("0" if foxglove else page)
+    address, page_port = _served_at(page)
     readings = CollectOptions(
         record or Path(f"{spec.stem if spec else 'demo'}_live"), serial_port, file, load_port, baud,
         speed, tuple(place or ()), zero_frames=zero_frames,
     )  # fmt: skip
     options = LiveOptions(
-        spec, readings, tuple(model or ()), demo, Zeroing(mode, zero_frames),
+        spec, readings, model, demo, Zeroing(mode, zero_frames),
         tuple(overrides or ()), address, page_port,
-        record is not None, seconds, foxglove,
+        record is not None, seconds,
     )  # fmt: skip
     show(show_live(options), as_json)
 

@@ -151,7 +151,7 @@ def build(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet."""
+    """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; order list, assembly sheet."""
     from instobj.commands.run import build_objects
 
     result = build_objects(specs, out, overrides or [])
@@ -229,7 +229,7 @@ for _commands in (cli_search, cli_estimators, cli_presses, cli_recorded):
     app.add_typer(_commands.app)
 bench = typer.Typer(cls=Bench, help="Boards, machines and built objects.", no_args_is_help=True)
 app.add_typer(bench, name="bench", rich_help_panel=MEASURE)
-add_renamed(app, score)
+add_renamed(app)
 
 
 def main() -> None:

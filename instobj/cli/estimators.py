@@ -37,12 +37,6 @@ Twin = Annotated[
 def train(
     sources: Sources,
     twin: Twin = None,
-    on: Annotated[
-        Path | None,
-        typer.Option(
-            help="Test data set of the same object, for contacts by inversion (default: held-out presses)."
-        ),
-    ] = None,
     export: Annotated[
         bool,
         typer.Option(
@@ -61,31 +55,17 @@ def train(
     with --set training.model=compact: networks, one per face.
     """
     if export:
-        if twin or on or overrides:
-            raise InputError("--export trains nothing: leave out --twin, --on and --set")
-        export_trained(sources, out, as_json)
+        if twin or overrides:
+            raise InputError("--export trains nothing: leave out --twin and --set")
+        from instobj.commands.predict import export_models
+
+        show(export_models(sources, out), as_json)
         return
     out = out or HERE
     from instobj.commands.run import run_estimator
 
     stages = ("networks", "metrics")
-    show(run_estimator(sources, stages, out, overrides or [], twin, on), as_json)
-
-
-def export_trained(
-    models: Annotated[
-        list[Path],
-        typer.Argument(help="Trained estimators (face_<n>.safetensors), or their folder."),
-    ],
-    out: Annotated[
-        Path | None, typer.Option(help="Folder of the files (default: beside each model).")
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Trained estimators as ONNX files with scaling, units and channel order inside."""
-    from instobj.commands.predict import export_models
-
-    show(export_models(models, out), as_json)
+    show(run_estimator(sources, stages, out, overrides or [], twin), as_json)
 
 
 @app.command(rich_help_panel=MEASURE)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from instobj.store.content import StoredResult, store_root, stored
@@ -16,13 +15,11 @@ Results = dict[str, StoredResult]
 
 
 class DataStage(NamedTuple):
-    """A stage, what is said of it meanwhile, what makes it from the results before it, and what it alone
-    depends on."""
+    """A stage, what is said of it meanwhile, and what makes it from the results before it."""
 
     name: str
     title: str
     make: Callable[[Path, Results], None]
-    inputs: Mapping[str, Any] = MappingProxyType({})
 
 
 def stage_key(stage: str, inputs: dict[str, Any]) -> str:
@@ -56,9 +53,7 @@ def work_through(
             make(folder, results)
 
         with progress.stage(stage.title):
-            results[stage.name] = made_or_stored(
-                stage.name, inputs | dict(stage.inputs), make, progress
-            )
+            results[stage.name] = made_or_stored(stage.name, inputs, make, progress)
     name = run_name(path)
     target = run_folder(out, name) / folder
     files = [file for result in results.values() for file in publish_to(target, result)]

@@ -350,12 +350,10 @@ def run_estimator(
     out: Path,
     overrides: list[str],
     twin: Path | None = None,
-    on: Path | None = None,
 ) -> dict[str, Any]:
     """Train or evaluate on specifications (simulated presses) and on data sets (.nc) alike.
 
     On data sets training gets presses of the calibrated twin of the specification `twin`, if given.
-    Contacts by inversion are judged on the data set `on`, if given.
     """
     from instobj.commands.inversion import invert_on_data_set
     from instobj.commands.training import run_on_data_set, settings_of
@@ -365,10 +363,9 @@ def run_estimator(
         _require_distinct_names([_results_name(path, overrides) for path in sources], sources)
     objects = []
     for path in sources:
-        inverts = path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion"
-        _require_trainable(path, twin, None if inverts else on)
-        if inverts:
-            objects.append(invert_on_data_set(path, stages, out, overrides, twin, on))
+        _require_trainable(path, twin)
+        if path.suffix == ".nc" and settings_of(overrides)[0].model == "inversion":
+            objects.append(invert_on_data_set(path, stages, out, overrides, twin))
         elif path.suffix == ".nc":
             objects.append(run_on_data_set(path, stages, out, overrides, twin))
         else:
@@ -393,19 +390,12 @@ def _results_name(path: Path, overrides: list[str]) -> str:
     return run_name(path) if is_data else load_spec(path, overrides).name
 
 
-def _require_trainable(path: Path, twin: Path | None, on: Path | None) -> None:
+def _require_trainable(path: Path, twin: Path | None) -> None:
     """A data set or a specification, and no options that are not for it."""
     if path.suffix == ".csv":
         raise InputError(
             f"{path} is a recording, not a data set. Run `instobj recordings {path}` first and "
             "give the frames.nc that it writes"
-        )
-    if on is not None:
-        raise InputError(
-            f"--on judges contacts that inversion reads in another data set; got {path}. Add "
-            "--set training.model=inversion and --twin SPEC to a data set (.nc), or leave --on out. "
-            f"Networks are judged on another recording by `instobj predict FACE.onnx {on}`, after "
-            "`instobj train --export`"
         )
     if path.suffix != ".nc" and twin is not None:
         raise InputError(

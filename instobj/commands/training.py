@@ -14,7 +14,6 @@ from design.spec.object import TrainingSpec
 from instobj.commands.data_set import (
     DataStage,
     Results,
-    made_or_stored,
     stage_key,
     work_through,
 )
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.frames.splits import Split
-    from estimator.networks.face_model import FaceModel
     from estimator.recordings.checks.limits import Limits
     from estimator.recordings.reading import Grid
     from estimator.recordings.travel_labels import TravelForces
@@ -157,7 +155,10 @@ def run_on_data_set(
     training, seed = settings_of(overrides)
     frames, progress = load_frames(path), ProgressLine()
     twin = None if twin_spec is None else twin_of_data(twin_spec, frames, training)
-    inputs = _network_inputs(path, training, seed) | {
+    inputs = {
+        "data_set": file_key(path),
+        "training": training.model_dump(mode="json"),
+        "seed": seed,
         "twin": None if twin is None else twin.inputs,
     }
     unfinished = unfinished_folder(stage_key("networks", inputs))
@@ -209,35 +210,6 @@ def data_parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
             }
         )
     return rows
-
-
-def trained_networks(
-    path: Path, overrides: list[str], progress: ProgressLine
-) -> dict[int, FaceModel]:
-    """The networks that `instobj train` makes of a data set, from the store or made."""
-    from estimator.frames.dataset import load_frames
-    from estimator.frames.splits import split_presses
-    from instobj.stages.makers.learning import Fitting, train_networks, unfinished_folder
-
-    training, seed = settings_of(overrides)
-    inputs = _network_inputs(path, training, seed)
-    how = Fitting(training, seed, progress.step, unfinished_folder(stage_key("networks", inputs)))
-    frames = load_frames(path)
-
-    def train(folder: Path) -> None:
-        train_networks(frames, split_presses(frames, seed), how, folder)
-
-    with progress.stage(f"training networks on {path}"):
-        return MODELS.read(made_or_stored("networks", inputs, train, progress).folder)
-
-
-def _network_inputs(path: Path, training: TrainingSpec, seed: int) -> dict[str, Any]:
-    return {
-        "data_set": file_key(path),
-        "training": training.model_dump(mode="json"),
-        "seed": seed,
-        "twin": None,
-    }
 
 
 def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOfData:

@@ -11,7 +11,7 @@ import numpy as np
 
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
-from design.build.bom import bill_of_materials
+from design.build.amounts import printed_items, silicone_item
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.masses import mass_text
 from design.build.order_list import OrderLine, price_text
@@ -77,7 +77,7 @@ def assembly_sheet(
         pins=_pin_rows(pins),
         prints=[_print(part) for part in manifest.parts if part.printing is not None],
         steps=steps(spec, parts),
-        materials=_materials(spec, manifest, plan),
+        materials=_materials(spec, manifest),
         mass=mass_text(spec),
         orders=[_order(line) for line in orders],
         cost=price_text(orders) if orders else "",
@@ -254,16 +254,16 @@ def _route(chip: ChipOnBus) -> str:
     return f"{chip.part}, 0x{chip.multiplexer:02X} channel {chip.channel}"
 
 
-def _materials(spec: ObjectSpec, manifest: BuildManifest, plan: BusPlan | None) -> list[list[str]]:
+def _materials(spec: ObjectSpec, manifest: BuildManifest) -> list[list[str]]:
     return [
         [
             item.item,
             str(item.count),
-            "" if item.volume_cm3 is None else f"{item.volume_cm3:.2f}",
-            "" if item.mass_g is None else f"{item.mass_g:.1f}",
+            f"{item.volume_cm3:.2f}",
+            f"{item.mass_g:.1f}",
             item.note,
         ]
-        for item in bill_of_materials(spec, manifest, plan)
+        for item in (silicone_item(spec), *printed_items(spec, manifest))
     ]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from design.build.bom import SILICONE_WASTE, numbered, silicone_amount
+from design.build.amounts import SILICONE_WASTE, silicone_amount
 from design.layout.boards import has_lid
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
@@ -183,8 +183,13 @@ def _kinds(spec: ObjectSpec) -> str:
     kinds = spec.magnets.numbers_by_kind
     if len(kinds) == 1:
         return ""
-    kinds_text = "; ".join(f"{numbered(which)} {kind}" for kind, which in kinds.items())
+    kinds_text = "; ".join(f"{_numbered(which)} {kind}" for kind, which in kinds.items())
     return f" Magnets of several kinds look alike: keep them apart. On every face: {kinds_text}."
+
+
+def _numbered(which: tuple[int, ...]) -> str:
+    """Magnets of a face, counted from 1, in words."""
+    return f"magnet{'s' * (len(which) > 1)} {', '.join(str(k + 1) for k in which)}"
 
 
 def _sealed(spec: ObjectSpec) -> list[str]:

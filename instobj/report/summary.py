@@ -103,7 +103,6 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("inversion", TWIN_TITLE, _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
         ("contact_metrics", _CONTACTS_TITLE, _contacts),
-        ("contact_metrics", "contacts found by simple readings", _simple_contacts),
     )
     made = {
         title: _finite(make(results[stage])) for stage, title, make in makers if stage in results
@@ -164,11 +163,6 @@ def _judged_frames(result: StoredResult) -> dict[str, Any]:
 
 def _contacts(result: StoredResult) -> list[dict[str, Any]]:
     return CONTACT_METRICS.read(result.folder)["contacts"]
-
-
-def _simple_contacts(result: StoredResult) -> list[dict[str, Any]]:
-    """Nothing where none was asked for."""
-    return CONTACT_METRICS.read(result.folder).get("baselines", [])
 
 
 def _calibrated_faces(content: dict[str, Any] | None) -> list[dict[str, Any]]:

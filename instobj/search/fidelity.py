@@ -12,17 +12,9 @@ from design.spec.object import ObjectSpec
 from design.spec.search import OVER_LIMIT
 from estimator.layouts.fidelity import FidelityScore, excess_over_limit, score_signals
 from instobj.stages.run import Run
-from instobj.store.readers import METRICS, PRESSES, SECOND_FIDELITY, SIGNALS
+from instobj.store.readers import PRESSES, SECOND_FIDELITY, SIGNALS
 
 TWINS = 20
-METRIC_LABELS = {
-    "similarity": "A_sim",
-    "location_error_px": "E_loc, px",
-    "force_error_percent": "E_f, %",
-    "total_force_error_percent": "total force, %",
-    "non_contact_accuracy": "A_non",
-}
-"""Metrics by which estimators of a layout are compared: the paper's metrics and the total force's error."""
 
 
 def second_score(spec: ObjectSpec) -> FidelityScore:
@@ -53,21 +45,6 @@ def chain_seconds(spec: ObjectSpec) -> float:
 def second_seconds(spec: ObjectSpec) -> float:
     """Return what the second fidelity level took, of the same kind."""
     return Run(spec).require(SECOND_FIDELITY.stage).seconds
-
-
-def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
-    """Metrics of estimators trained on a layout's own simulated presses, on whole presses held out.
-
-    Means over the pressed faces of `estimator.metrics.heatmaps.FaceMetrics`, undefined ones left out; the
-    chain's stages run, or come from the store.
-    """
-    faces = Run(spec).read(METRICS)["faces"]
-    values = {
-        name: [face[name] for face in faces if face[name] is not None] for name in METRIC_LABELS
-    }
-    return {
-        name: float(np.mean(face_values)) for name, face_values in values.items() if face_values
-    }
 
 
 @dataclass(frozen=True)

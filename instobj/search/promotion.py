@@ -12,21 +12,19 @@ from design.errors import InputError
 from design.search.space import SearchSpace, start_params, unit_of, with_layout
 from design.spec.object import ObjectSpec
 from estimator.field.device import one_thread
-from estimator.layouts.fidelity import rank_correlations
 from instobj.commands.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
     Bounds,
     TwinRatio,
     bounds_of_twins,
-    estimator_errors,
     twin_ratios,
 )
 from instobj.search.levels import Levels
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.trials import KeptTrials, Trial
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion, merit, objections
-from instobj.store.readers import FINDINGS, METRICS
+from instobj.store.readers import FINDINGS
 
 _APART = 0.05
 """Share of the unit cube: leaders differ by at least that much in some variable."""
@@ -43,7 +41,7 @@ class Promoter:
     """Way of a search's leaders through the fidelity levels, within its time.
 
     The functions say what else is asked of layouts: where a leader walks between the levels, what keeps
-    one from being fabricated, bounds of its toleranced twins, and errors of estimators trained for it.
+    one from being fabricated, and bounds of its toleranced twins.
     """
 
     space: SearchSpace
@@ -52,7 +50,6 @@ class Promoter:
     walk: Callable[..., dict[str, Any] | None] = corrected_params
     unbuildable: Callable[[ObjectSpec, ObjectSpec], str] = why_unbuildable
     twins: Callable[[ObjectSpec], list[Bounds]] = bounds_of_twins
-    errors: Callable[[ObjectSpec], dict[str, float]] = estimator_errors
 
     def __post_init__(self) -> None:
         self.search, self.say = self.space.spec.search, self.levels.say
@@ -79,12 +76,7 @@ class Promoter:
             self.start,
             tuple(ranked),
             tuple(finalists),
-            {
-                FIRST: _correlations([self.start, *scored], FIRST, SECOND),
-                SECOND: _correlations([self.start, *finalists], SECOND, LAST),
-            },
             ratios,
-            self._errors((self.start, *finalists)),
             objections(self.search, best, self.start, ratios),
             (len(trials), min(self.search.finalists, len(trials))),
         )
@@ -191,26 +183,6 @@ class Promoter:
             self.say("twins are left out: the time is over")
             return {}
 
-    def _errors(self, layouts: Sequence[Promoted]) -> dict[str, dict[str, float]]:
-        """Errors of estimators by layout, for as long as there is time: the verdict stands without them."""
-        errors: dict[str, dict[str, float]] = {}
-        took_s = 0.0
-        if self.limit.left_s <= 0:
-            return {}
-        try:
-            self.levels.make(layouts, (METRICS.stage,))
-            for layout in layouts:
-                before_s = self.limit.left_s
-                if took_s > before_s:
-                    self.say(f"estimators of {layout.label} are left out: time runs short")
-                    continue
-                self.say(f"estimators of {layout.label}")
-                errors[layout.label] = self.errors(layout.spec)
-                took_s = max(took_s, before_s - self.limit.left_s)
-        except TimeSpent:
-            self.say("further estimators are left out: the time is over")
-        return errors
-
     def _short(self) -> bool:
         return self.limit.left_s <= self.needed_s
 
@@ -238,9 +210,3 @@ def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
         if len(chosen) == count:
             break
     return chosen
-
-
-def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
-    return rank_correlations(
-        *([layout.levels[level] for layout in layouts] for level in (lower, upper))
-    )

@@ -36,12 +36,10 @@ class Promoted:
 class Promotion:
     """Result of a promotion.
 
-    `correlations` are rank correlations of every score between a level and the next, by its number;
-    `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
-    toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
-    achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
-    say why the highest fidelity level does not call the best one better than the start. `asked` are
-    the numbers of leaders and finalists that should have been scored.
+    `ratios` are those of the best against the start at the highest fidelity level, with 95 % intervals
+    between toleranced twins. `objections` say why the highest fidelity level does not call the best one
+    better than the start. `requested` are the numbers of leaders and finalists that should have been
+    scored.
 
     Where the time ended before the chain had scored a finalist there is none, and the leaders begin
     with the one that it had come to.
@@ -50,9 +48,7 @@ class Promotion:
     start: Promoted
     leaders: tuple[Promoted, ...]
     finalists: tuple[Promoted, ...]
-    correlations: dict[str, dict[str, float]]
     ratios: dict[str, TwinRatio]
-    estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
     requested: tuple[int, int]
 

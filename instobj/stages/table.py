@@ -77,11 +77,11 @@ STAGES: dict[str, Stage] = {
         version=21,
     ),
     "sheet": Stage(
-        "design: bill of materials and assembly sheet",
+        "design: order list and assembly sheet",
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell", "imu"),
         make_sheet,
-        version=15,
+        version=16,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

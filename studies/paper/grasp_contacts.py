@@ -10,7 +10,6 @@ import numpy as np
 
 from design.spec.object import LARGEST_SEED
 from estimator.evaluation.contact_baselines import patches, pursued
-from instobj.stages.makers.inversion import UNCERTAINTIES
 from studies.layouts import changed
 from studies.paper.figures import draw_bars, headline
 from studies.paper.grasps import (
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
 
+_UNCERTAINTIES = ("place in 90 % region %", "force in 90 % interval %", "not explained %")
+"""Columns that readings without uncertainty have not."""
 _HOLD_FRAMES = 10
 _GRASPS, _QUICK_GRASPS = 40, 2
 """Of each number of tips, each held once."""
@@ -152,7 +153,7 @@ def _baselines(
         "whole-object networks": of_networks(recorded, frames),
     }
     return [
-        {"model": name, "frames read": _ONE} | row | dict.fromkeys(UNCERTAINTIES)
+        {"model": name, "frames read": _ONE} | row | dict.fromkeys(_UNCERTAINTIES)
         for name, sets in found.items()
         for row in rows_beside_bound(twin, frames, sets)
     ]

@@ -8,12 +8,13 @@ import pytest
 from design.catalogue.bus_parts import PICO
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import choose_plan
+from estimator.calibration.resting import channel_names
 from estimator.frames.dataset import load_frames
 from estimator.recordings.boards.lines import Frame, Header
 from estimator.recordings.formats.files import read_table
 from instobj.bench.firmware.project import project_files
 from instobj.bench.live.source import data_set_table
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from tests.support.avr.board import built, field_mt, messages, needs_simulator, of, world
 from tests.support.cli import run
 from tests.support.recordings.generic_csv import write_generic_csv

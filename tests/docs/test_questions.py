@@ -14,7 +14,7 @@ PAGE = (DOCS / "questions.md").read_text()
 SECTIONS = dict(re.findall(r"^## … (.*?)\?\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
 LEAVES = {
     "see whether my edges are weak": ("runs/my_object/maps", "runs/my_object/scores.csv"),
-    "know what to buy": ("orders.csv", "bom.csv", "assembly.html"),
+    "know what to buy": ("orders.csv", "assembly.html"),
     "use my own STL": ("my_fruit.toml",),
     "read my own CSV files": ("runs/press/frames.nc",),
     "read it on my robot": ("runs/my_object/continuous/contacts.csv",),

@@ -25,23 +25,6 @@ SMALL = ObjectSpec.model_validate(
     }
 )
 """Ten chips, ten magnets."""
-_NEAR, _FAR = [[0.0, 0.0], [0.0, 8.58]], [[0.0, 0.0], [0.0, 15.18]]
-BOX = ObjectSpec.model_validate(
-    {
-        "name": "box",
-        "body": {"kind": "box", "size_mm": [60.0, 40.0, 30.0]},
-        "shell": {"thickness_mm": 7.0},
-        "core": {"wall_mm": 4.0},
-        "sensors": {
-            "count_per_face": 2,
-            "radius_mm": 3.5,
-            "positions_mm": [_NEAR, _FAR, _NEAR, _FAR, _NEAR],
-            "chip_spread": [0.0, 0.01],
-        },
-        "magnets": {"positions_mm": [[0.0, 0.0], [0.0, 6.6]]},
-    }
-)
-"""Two chips per face, far from those of the next one."""
 
 
 class PlayedBoard:

@@ -238,9 +238,3 @@ def remembered_places(
 def drift_rate(spec: ObjectSpec) -> float:
     """Return the growth of the variance of the drift (counts² per second)."""
     return spec.sensors.drift_counts**2 / DRIFT_TIME_S
-
-
-def zero_covariance(spec: ObjectSpec, frames: float | int) -> float:
-    """Variance (counts²) of a zero with the drift of half the frames that follow it."""
-    seconds = frames / spec.sensors.frame_rate_hz
-    return spec.sensors.zeroing_counts**2 + drift_rate(spec) * seconds / 2

@@ -17,10 +17,10 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.recordings.boards.link import BAUD, serial_chunks
 from instobj.bench.bringup.as_built import merge_as_built, write_as_built
-from instobj.bench.bringup.asking.asked import STEPS, Question, asked_of, further_holds
+from instobj.bench.bringup.asking.asked import STEPS, Question, asked_of
 from instobj.bench.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
 from instobj.bench.bringup.diagnosis.findings import Finding
-from instobj.bench.bringup.dialogue import ask_questions, open_questions, recorded_further
+from instobj.bench.bringup.dialogue import ask_questions, open_questions
 from instobj.bench.bringup.journal import Journal, open_journal, read_journal
 from instobj.bench.bringup.page import bringup_page
 from instobj.bench.bringup.simulated import parse_fault, simulated_object
@@ -59,10 +59,8 @@ def bring_up(options: BringupOptions) -> dict[str, Any]:
     _require_one_source(options)
     design = load_spec(options.spec, [*options.overrides, _DESIGN_ALONE])
     questions = asked_of(design)
-    again = _to_repeat(questions, further_holds(design), options.again)
+    again = _to_repeat(questions, options.again)
     journal = _journal(options, design)
-    if "held" in options.again:
-        again |= {hold.name for hold in recorded_further(design, journal)}
     _ask(options, design, journal, again)
     unanswered = open_questions(questions, journal)
     progress = ProgressLine()
@@ -92,11 +90,8 @@ def _journal(options: BringupOptions, design: ObjectSpec) -> Journal:
     return open_journal(path, design)
 
 
-def _to_repeat(
-    questions: tuple[Question, ...], further: tuple[Question, ...], again: tuple[str, ...]
-) -> set[str]:
+def _to_repeat(questions: tuple[Question, ...], again: tuple[str, ...]) -> set[str]:
     names = {question.name for question in questions if {question.name, question.step} & set(again)}
-    names |= {hold.name for hold in further if hold.name in again}
     unknown = set(again) - names - {question.step for question in questions}
     if unknown:
         raise InputError(

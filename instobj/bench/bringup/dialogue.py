@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
 
 import numpy as np
 
 from design.spec.object import ObjectSpec
 from estimator.signals.hall import full_scale_counts
-from instobj.bench.bringup.asking.asked import (
-    MOST_FURTHER,
-    STEPS,
-    STILL_AGAIN,
-    Question,
-    Recording,
-    asked_of,
-    further_holds,
-)
+from instobj.bench.bringup.asking.asked import STEPS, Question, Recording, asked_of
 from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 from instobj.bench.bringup.diagnosis.poles import PocketFields, magnet_findings, pocket_fields
 from instobj.bench.bringup.journal import Journal
@@ -84,40 +74,16 @@ def open_questions(questions: tuple[Question, ...], journal: Journal) -> list[Qu
 
 
 def ask_questions(design: ObjectSpec, source: Source, journal: Journal, again: set[str]) -> None:
-    """Ask what is open or to be repeated, until all is answered or the user stops.
-
-    Further holds come between the planned ones and the second still recording, which closes them.
-    """
+    """Ask what is open or to be repeated, until all is answered or the user stops."""
     questions, progress = asked_of(design), ProgressLine()
     open_ones = {question.name for question in open_questions(questions, journal)} | again
     checks = _Checks(design, journal)
-    repeated = [hold for hold in further_holds(design) if hold.name in again]
     for number, question in enumerate(questions, start=1):
-        if question.name == STILL_AGAIN:
-            further = _further(design, source, journal, question.name in open_ones)
-            for count, hold in enumerate(chain(repeated, further), start=1):
-                title = f"further hold {count}, {MOST_FURTHER} at most, to tell gains"
-                if not _answered(hold, title, source, journal, checks, progress):
-                    return
         if question.name not in open_ones:
             continue
         title = f"{number} of {len(questions)}, {STEPS[question.step]}"
         if not _answered(question, title, source, journal, checks, progress):
             return
-
-
-def recorded_further(design: ObjectSpec, journal: Journal) -> list[Question]:
-    """Further holds that were asked for, in the order of their places."""
-    done = journal.recordings.keys() | journal.skipped
-    return [hold for hold in further_holds(design) if hold.name in done]
-
-
-def _further(
-    design: ObjectSpec, source: Source, journal: Journal, still_open: bool
-) -> Iterator[Question]:
-    """Chosen one by one from all that was recorded before."""
-    while still_open and (hold := source.further(design, journal)) is not None:
-        yield hold
 
 
 def _answered(

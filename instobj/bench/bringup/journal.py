@@ -18,22 +18,14 @@ import numpy as np
 
 from design.errors import InputError, StoreError
 from design.files import require_regular_file, write_whole
-from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.recordings.formats.generic import cell_text
-from estimator.tolerances.selftest import sensor_names
-from instobj.bench.bringup.asking.asked import Recording, asked_of, further_holds
-from instobj.bench.bringup.diagnosis.findings import channel_name
+from instobj.bench.bringup.asking.asked import Recording, asked_of
 
 _FORMAT = "# instobj bench bringup 1"
 _OWN = ("recording", "row", "rows", "sequence", "board_ms", "damaged_lines", "bus_errors")
 _SECTIONS = ("arrangement", "body", "shell", "core", "sensors", "magnets")
-
-
-def channels_of(spec: ObjectSpec) -> list[str]:
-    """F1-X1, F1-Y1, … of the specification, chip by chip."""
-    names = sensor_names(sensor_layout(spec).face)
-    return [channel_name(name, axis) for name in names for axis in range(3)]
 
 
 def identity_of(spec: ObjectSpec) -> str:
@@ -133,14 +125,14 @@ def _first_line(spec: ObjectSpec) -> str:
 
 
 def _header(spec: ObjectSpec) -> str:
-    return ",".join([*_OWN, *channels_of(spec)])
+    return ",".join([*_OWN, *channel_names(spec)])
 
 
 def _read(path: Path, spec: ObjectSpec) -> tuple[Journal, int]:
     """The journal, and how many bytes of it are whole recordings."""
     lines = path.read_bytes().decode("utf-8", "replace").splitlines(keepends=True)
     _require_own(path, spec, [line.rstrip("\n") for line in lines[:2]])
-    names = {question.name for question in (*asked_of(spec), *further_holds(spec))}
+    names = {question.name for question in asked_of(spec)}
     journal, position = Journal(path), 2
     sound = sum(len(line.encode()) for line in lines[:2])
     while position < len(lines):
@@ -178,7 +170,7 @@ def _require_own(path: Path, spec: ObjectSpec, lines: list[str]) -> None:
 def _recording(path: Path, spec: ObjectSpec, position: int, block: list[str]) -> Recording:
     """One recording from its lines; `position` is the number of lines before it."""
     rows = [line.rstrip("\n").split(",") for line in block]
-    width = len(_OWN) + len(channels_of(spec))
+    width = len(_OWN) + len(channel_names(spec))
     for k, row in enumerate(rows):
         if len(row) != width or row[:3] != [rows[0][0], str(k + 1), str(len(rows))]:
             raise InputError(

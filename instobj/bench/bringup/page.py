@@ -17,7 +17,6 @@ from instobj.bench.bringup.asking.asked import (
     Question,
     Recordings,
     asked_of,
-    further_holds,
     magnet_names,
 )
 from instobj.bench.bringup.diagnosis.earth import EarthFound
@@ -59,12 +58,9 @@ def bringup_page(
 
 
 def _steps(spec: ObjectSpec, recordings: Recordings, skipped: Collection[str]) -> list[list[str]]:
-    taken = [
-        hold for hold in further_holds(spec) if hold.name in recordings or hold.name in skipped
-    ]
     rows = []
     for step, title in STEPS.items():
-        names = [question.name for question in (*asked_of(spec), *taken) if question.step == step]
+        names = [question.name for question in asked_of(spec) if question.step == step]
         done, over = (sum(name in given for name in names) for given in (recordings, skipped))
         rows.append([title, f"{done} of {len(names)}", f"{over} skipped" if over else ""])
     return rows

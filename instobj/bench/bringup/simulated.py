@@ -21,27 +21,16 @@ from estimator.signals.field_setup import scene
 from estimator.signals.hall import read_out
 from estimator.tolerances.assembly import Assembly, draw, undisturbed
 from estimator.tolerances.selftest import sensor_names
-from instobj.bench.bringup.asking.asked import (
-    POSES,
-    STILL_AGAIN,
-    Question,
-    Recording,
-    asked_of,
-    magnet_names,
-)
-from instobj.bench.bringup.asking.held_magnet import held_magnet
-from instobj.bench.bringup.asking.hold_places import OVER_MM
-from instobj.bench.bringup.diagnosis.earth import turn_to_object
+from instobj.bench.bringup.asking.asked import POSES, Question, Recording, magnet_names
+from instobj.bench.bringup.asking.held_magnet import OVER_MM, held_magnet
+from instobj.bench.bringup.diagnosis.earth import EARTH_UT, turn_to_object
 from instobj.bench.bringup.diagnosis.findings import channel_name
-from instobj.bench.bringup.next_hold import next_hold
 
 HAND_MM, HAND_DEG, HEIGHT_MM = 3.0, 15.0, (4.0, 15.0)
 """Errors of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm
-are asked for; as much higher or lower in proportion elsewhere."""
+are asked for."""
 TREMOR_MM, TREMOR_DEG, LAID_DEG = 0.3, 1.0, 5.0
 """Standard deviations of a hand: place and tilt of a held magnet, and how an object is laid."""
-EARTH_UT = (25.0, 65.0)
-"""Least and largest strength of the Earth's field at the surface."""
 _DRIFT_MS = 15 * 60 * 1000
 """Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _STUCK_COUNTS = 128.0
@@ -121,8 +110,8 @@ class SimulatedObject:
     def _held_mt(self, question: Question) -> Float[np.ndarray, "frame chip 3"]:
         held = held_magnet(self.spec, [question.part])
         rng, frames = self.rng, question.frames
-        height = (rng.uniform(*HEIGHT_MM) / OVER_MM - 1) * held.height_mm[0]
-        about = np.r_[HAND_MM * rng.standard_normal(2), height]
+        higher_mm = rng.uniform(*HEIGHT_MM) - OVER_MM
+        about = np.r_[HAND_MM * rng.standard_normal(2), higher_mm]
         tilt = np.deg2rad(HAND_DEG) * rng.standard_normal(2)
         shake = np.cumsum(rng.standard_normal((frames, 5)), axis=0) / np.sqrt(frames)
         pose = np.zeros((frames, 8))
@@ -194,18 +183,6 @@ def simulated_object(
     for fault in faults:
         made = _with_fault(made, fault)
     return made
-
-
-def brought_up(made: SimulatedObject) -> dict[str, Recording]:
-    """Readings for all questions in their order, further holds included."""
-    recordings: dict[str, Recording] = {}
-    for question in asked_of(made.spec):
-        while (
-            question.name == STILL_AGAIN and (hold := next_hold(made.spec, recordings)) is not None
-        ):
-            recordings[hold.name] = made.recording(hold)
-        recordings[question.name] = made.recording(question)
-    return recordings
 
 
 def parse_fault(text: str) -> PlantedFault:

@@ -11,12 +11,12 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
-from instobj.bench.bringup.asking.asked import Question, Recording, further_holds
-from instobj.bench.bringup.journal import Journal, channels_of
-from instobj.bench.bringup.next_hold import next_hold
+from instobj.bench.bringup.asking.asked import Question, Recording
+from instobj.bench.bringup.journal import Journal
 from instobj.bench.bringup.simulated import SimulatedObject
 from instobj.bench.collect.options import TypedLines
 
@@ -36,10 +36,6 @@ class Source(Protocol):
         """The frames that follow."""
         ...
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Return the next hold after the planned ones, None where gains are known well enough."""
-        ...
-
 
 class _Nobody:
     """A user who does as asked and keeps whatever was found."""
@@ -48,14 +44,6 @@ class _Nobody:
         """Nothing, or to keep what was found."""
         del question
         return KEEP if KEEP in allowed else ""
-
-
-class _TellsMost:
-    """Asks for the further hold that says most."""
-
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Return the hold that says most."""
-        return next_hold(spec, journal.recordings, journal.skipped)
 
 
 @dataclass
@@ -68,15 +56,9 @@ class FromFile(_Nobody):
         """That recording, where the file holds it."""
         return self.journal.recordings.get(question.name)
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
-        """Those that the file holds, in its order."""
-        holds = {hold.name: hold for hold in further_holds(spec)}
-        names_left = (name for name in self.journal.recordings if name not in journal.recordings)
-        return next((holds[name] for name in names_left if name in holds), None)
-
 
 @dataclass
-class Simulated(_Nobody, _TellsMost):
+class Simulated(_Nobody):
     """A simulated object whose user does as asked and keeps every fault."""
 
     made: SimulatedObject
@@ -87,7 +69,7 @@ class Simulated(_Nobody, _TellsMost):
 
 
 @dataclass
-class Board(_TellsMost):
+class Board:
     """A board on a port, and a user at the keyboard; the line is read while the user acts."""
 
     spec: ObjectSpec
@@ -158,7 +140,7 @@ class Board(_TellsMost):
 
     def _columns(self, channels: tuple[str, ...]) -> dict[int, int]:
         """Column of the board → channel of the specification."""
-        column_of_name = {name: k for k, name in enumerate(channels_of(self.spec))}
+        column_of_name = {name: k for k, name in enumerate(channel_names(self.spec))}
         foreign = [name for name in channels if name not in column_of_name]
         if foreign:
             raise InputError(
@@ -168,14 +150,14 @@ class Board(_TellsMost):
         return {column: column_of_name[name] for column, name in enumerate(channels)}
 
     def _recording(self, question: Question, frames: list[Frame]) -> Recording:
-        counts = np.full((len(frames), len(channels_of(self.spec))), np.nan)
+        counts = np.full((len(frames), len(channel_names(self.spec))), np.nan)
         values = np.array([frame.counts for frame in frames], float)
         counts[:, list(self.columns.values())] = values[:, list(self.columns)]
         if np.nanmax(abs(counts), initial=0.0) > LARGEST_COUNT + 1:
             row, column = np.argwhere(abs(counts) > LARGEST_COUNT + 1)[0]
             raise InputError(
                 f"{self.port} sends {counts[row, column]:.0f} counts for "
-                f"{channels_of(self.spec)[column]}; chips of 16 bits send ±{LARGEST_COUNT + 1} at most. "
+                f"{channel_names(self.spec)[column]}; chips of 16 bits send ±{LARGEST_COUNT + 1} at most. "
                 "Check the board's firmware"
             )
         return Recording(

@@ -18,15 +18,9 @@ from instobj.bench.bringup.asking.asked import (
     Recording,
     Recordings,
     asked_of,
-    further_holds,
     magnet_names,
 )
-from instobj.bench.bringup.diagnosis.channels import (
-    Arrangement,
-    HeldReadings,
-    find_chips,
-    held_readings,
-)
+from instobj.bench.bringup.diagnosis.channels import find_chips, held_readings
 from instobj.bench.bringup.diagnosis.chip_findings import chip_findings, earth_findings
 from instobj.bench.bringup.diagnosis.chip_fit import chips_found
 from instobj.bench.bringup.diagnosis.earth import EarthFound, from_earth
@@ -89,33 +83,20 @@ def drawn_chips(spec: ObjectSpec) -> tuple[ChipFound, ...]:
 
 def identified_chips(spec: ObjectSpec, recordings: Recordings) -> tuple[ChipFound, ...] | None:
     """Every chip's place, turn and gains; None without the still recording and three holds."""
-    so_far = held_so_far(spec, recordings)
-    return None if so_far is None else tuple(chips_found(*so_far))
-
-
-def held_so_far(
-    spec: ObjectSpec, recordings: Recordings, drift_followed: bool = False
-) -> tuple[HeldReadings, Arrangement] | None:
-    """All holds and the arrangement of the chips; None without the still recording and three holds.
-
-    `drift_followed` states errors as if the second still recording were there already.
-    """
-    questions = (*asked_of(spec), *further_holds(spec))
     held = [
         question
-        for question in questions
+        for question in asked_of(spec)
         if question.step == "held" and question.name in recordings
     ]
     if STILL not in recordings or len(held) < LEAST_HOLDS:
         return None
     given = [recordings[question.name] for question in held]
     still, drift_counts, share = levels_without_magnet(spec, recordings, given)
-    if drift_followed:
-        drift_counts = _BEYOND_LINEAR * spec.sensors.zeroing_counts
     mask = np.where(silent_findings(recordings), np.nan, 1.0)
     counts = mask * np.stack([recording.unsaturated(spec) for recording in given]) - still
     readings = held_readings(spec, counts, share, drift_counts)
-    return readings, find_chips(spec, readings, [question.part for question in held])
+    arrangement = find_chips(spec, readings, [question.part for question in held])
+    return tuple(chips_found(readings, arrangement))
 
 
 def levels_without_magnet(

@@ -13,6 +13,7 @@ import numpy as np
 
 from design.catalogue.bus_parts import MOTION
 from design.errors import InputError, InstobjError
+from estimator.calibration.resting import channel_names
 from estimator.recordings.attitude import Attitude
 from estimator.recordings.boards.growing import finish_recording
 from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
@@ -21,10 +22,10 @@ from instobj.bench.collect.board_state import status_text, supply_text
 from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
 from instobj.bench.collect.options import stop_on_signals
 from instobj.bench.live.contacts import open_estimator
-from instobj.bench.live.page import PageSettings, ServedPage, serve_page, show_in_foxglove
+from instobj.bench.live.page import PageSettings, ServedPage, serve_page
 from instobj.bench.live.recorder import Recorder
 from instobj.bench.live.source import LiveOptions, LiveSource, live_source
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 
@@ -70,23 +71,18 @@ def run_live(
 ) -> dict[str, Any]:
     """Serve and record a source; as `live`."""
     mode, zero_frames = source.zeroing.raw_settings
-    estimator = open_estimator(source.spec, source.models, mode, zero_frames)
+    estimator = open_estimator(source.spec, source.model, mode, zero_frames)
     watch = Watch(source.spec, estimator, 0 if mode == "none" else zero_frames)
-    if options.foxglove is not None:
-        serving = show_in_foxglove(watch, options.foxglove)
-    else:
-        settings = PageSettings(source.scene, options.address, options.page_port, token)
-        serving = serve_page(watch, settings)
+    settings = PageSettings(source.scene, options.address, options.page_port, token)
     state = Collection(source.readings, source.readings.first_places)
     with (
         closing(source.chunks),
-        serving as page,
+        serve_page(watch, settings) as page,
         stop_on_signals(state.stop),
         progress.stage(f"live, {source.name}"),
     ):
         session = _Session(source, state, Recorder(state), page, watch)
-        shown = page.url if options.foxglove else f"open {page.url} in a browser"
-        progress.say(f"{shown}; Ctrl-C ends")
+        progress.say(f"open {page.url} in a browser; Ctrl-C ends")
         failure = _follow(session, options, progress)
     return _ended(session, failure)
 

@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.errors import InputError
 from design.layout.body import face_frame, face_frames
 from design.spec.object import ObjectSpec
 from estimator.deploy.live_contacts import LiveContacts
-from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import ZeroMode
-from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
+from estimator.grasps.track import ContactTrack, track_of_sets
 from estimator.inversion.condition import FINE, Condition
-from estimator.inversion.model.table import PressTable
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 LeftOut = Bool[np.ndarray, "face sensor 3"]
 """Readings that are not believed."""
-_PRESENT = 0.5
-"""Probability from which a face's estimator sees a contact."""
 
 
 @dataclass(frozen=True)
@@ -44,13 +38,9 @@ class InvertedContacts:
 
     Attributes
     ----------
-    method : inversion or networks
-    needs_every_frame : whether it must see all frames in their order, or may skip some
     channels : the ones that it reads
     presses : depth and contact area of solved presses; None where its file has none
     """
-
-    method, needs_every_frame = "inversion", False
 
     def __init__(self, spec: ObjectSpec, reader: LiveContacts) -> None:
         self._spec, self._reader = spec, reader
@@ -91,90 +81,21 @@ class InvertedContacts:
         self._reader.rezero()
 
 
-class FaceContacts:
-    """One contact per face at most, by exported estimators of single faces; as `InvertedContacts`."""
-
-    method, needs_every_frame = "networks", True
-    presses: PressTable | None = None
-
-    def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
-        self._spec, self._readers = spec, readers
-        self._cover = min(reader.model.interval_cover for reader in readers)
-        self.channels = tuple(
-            dict.fromkeys(channel for reader in readers for channel in reader.model.channels)
-        )
-
-    def feed(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
-    ) -> Found | None:
-        """Return what they read in the next frame."""
-        rows, explained, readings = [], True, {}
-        for reader in self._readers:
-            reading = reader.feed(raw_counts, time_s, left_out)
-            if reading is None:
-                return None
-            explained &= not reading.novel[0]
-            readings[reader.model.face] = reading
-            if reading.contact[0] > _PRESENT:
-                force = (
-                    reading.position_radius_mm[0],
-                    reading.force_n[0],
-                    reading.force_halfwidth_n[0],
-                )
-                place = (reader.model.face, *reading.xy_mm[0].tolist())
-                rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
-        track = track_of_networks(np.array([time_s]), readings, self._cover)
-        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained), track=track)
-
-    def pass_by(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
-    ) -> None:
-        """Leave a frame out, where too many wait."""
-
-    def rezero(self) -> None:
-        """Take the zero again from the frames that follow."""
-        for reader in self._readers:
-            reader.rezero()
-
-
-Estimator = InvertedContacts | FaceContacts
-
-
 def open_estimator(
-    spec: ObjectSpec, models: tuple[Path, ...], zero: ZeroMode, zero_frames: int
-) -> Estimator | None:
-    """Return the reader of `contacts.nc`, or of ONNX files of different faces; None without a file.
+    spec: ObjectSpec, model: Path | None, zero: ZeroMode, zero_frames: int
+) -> InvertedContacts | None:
+    """Return the reader of `contacts.nc`; None without a file.
 
     Raises
     ------
     InputError
-        A bad file, `contacts.nc` with others, or two models of a face or of a face that the object
-        has not.
+        A bad file, or none of an inversion.
     """
-    from estimator.deploy.runtime import load_deployed
-    from estimator.inversion.storage import is_inversion, load_inversion
+    from estimator.inversion.storage import load_inversion
 
-    if not models:
+    if model is None:
         return None
-    first, *others = models
-    if any(map(is_inversion, models)):
-        if others:
-            raise InputError(
-                f"contacts of the whole object come from one file; got {len(models)} with --model. "
-                "Give contacts.nc alone, or the face_<n>.onnx"
-            )
-        return InvertedContacts(spec, LiveContacts(load_inversion(first), zero, zero_frames))
-    deployed = [load_deployed(path) for path in models]
-    faces, sensed = (
-        [model.face for model in deployed],
-        [frame.number for frame in face_frames(spec)],
-    )
-    if len(set(faces)) < len(faces) or not set(faces) <= set(sensed):
-        raise InputError(
-            f"the models read faces {sorted(faces)}; the object senses {sensed}. Give one model per "
-            "sensed face, of this object"
-        )
-    return FaceContacts(spec, [LiveReader(model, zero, zero_frames) for model in deployed])
+    return InvertedContacts(spec, LiveContacts(load_inversion(model), zero, zero_frames))
 
 
 def placed_contact(
@@ -188,22 +109,6 @@ def placed_contact(
     point, axes = _place_on_body(spec, place)
     pushed = axes @ np.append(pull_n, -force[1])
     return [*place, *force, *point, *axes[:, 2], *pushed]
-
-
-def frame_document(spec: ObjectSpec, reading: Found, time_s: float) -> dict[str, Any]:
-    """Return a frame as `instobj predict --port` prints it, as far as the page knows it."""
-    contacts = []
-    names = ("x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n")
-    for row in reading.contacts:
-        place = int(row[0]), float(row[1]), float(row[2])
-        _, axes = _place_on_body(spec, place)
-        pull_n = axes.T @ row[12:]  # along the face's x and y, and the outward normal
-        tangential = {"tangential_x_n": float(pull_n[0]), "tangential_y_n": float(pull_n[1])}
-        contacts.append(
-            {"face": place[0]} | dict(zip(names, row[1:6].tolist(), strict=True)) | tangential
-        )
-    stamp = {"time_s": time_s, "explained": reading.explained, "chip_out": reading.chip_out}
-    return stamp | {"contacts": contacts}
 
 
 def placed_label(spec: ObjectSpec, face: int, x: float, y: float, force_n: float) -> list[float]:

@@ -11,15 +11,12 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from pathlib import Path
 
 from aiohttp import web
 
 from design.errors import InputError
-from instobj.bench.live.contacts import frame_document
 from instobj.bench.live.server import Page, application
 from instobj.bench.live.watch import Watch
-from instobj.robot import foxglove_channels
 
 _READ_EVERY_S = 1 / 60
 """Between two readings of the newest row; a screen shows no more."""
@@ -99,37 +96,6 @@ def serve_page(watch: Watch, settings: PageSettings) -> Iterator[ServedPage]:
         sys.setswitchinterval(switch_before_s)
 
 
-@contextmanager
-def show_in_foxglove(watch: Watch, target: Path) -> Iterator[ServedPage]:
-    """Read contacts in a thread and send them to Foxglove in place of the page, until the context ends.
-
-    Raises
-    ------
-    InputError
-        No estimator, which reads the contacts.
-    """
-    if watch.estimator is None:
-        raise InputError(f"--page {target} shows contacts, which an estimator reads. Give --model")
-    sent_s = 0.0
-    with foxglove_channels(target, watch.spec) as send:
-
-        def show() -> None:
-            nonlocal sent_s
-            reading = watch.reading
-            if reading.arrived_s > sent_s:  # rows may come while there is no zero
-                sent_s = reading.arrived_s
-                send(frame_document(watch.spec, reading.read, reading.time_s))
-
-        watch.on_reading = show
-        reader = threading.Thread(target=read_frames, args=(watch,), daemon=True)
-        reader.start()
-        try:
-            yield ServedPage(str(target), reader, queue.SimpleQueue())
-        finally:
-            watch.end()
-            reader.join(_CLOSING_S)
-
-
 async def _serve(
     watch: Watch,
     settings: PageSettings,
@@ -165,7 +131,6 @@ def read_frames(watch: Watch) -> None:
         while not watch.ended:
             begun_s = time.monotonic()
             watch.read_next()
-            if not watch.needs_every_frame:
-                time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
+            time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
     except Exception as error:  # of a model's runtime, of any kind
         watch.stop_reading(f"contacts are no longer read: {type(error).__name__}: {error}")

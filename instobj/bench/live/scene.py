@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from design.spec.object import ObjectSpec
-from instobj.bench.live.watch import channel_names
+from estimator.calibration.resting import channel_names
 from instobj.render.pieces import load_stl
 from instobj.viewer.archive import pack
 from instobj.viewer.scene import add_surface, object_scene

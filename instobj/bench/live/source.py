@@ -12,12 +12,12 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from estimator.calibration.resting import channel_names
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.boards.link import replay_chunks, require_port
 from estimator.recordings.table import LEAST_FACES, RawTable
 from instobj.bench.collect.options import CollectOptions, open_source
 from instobj.bench.live.scene import live_scene
-from instobj.bench.live.watch import channel_names
 from instobj.commands.readings import Zeroing, is_data_set, zeroed_data_set
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
@@ -41,12 +41,11 @@ class LiveOptions:
     address, page_port : that the page is served on
     record : whether to record from the beginning
     seconds : how long; None until Ctrl-C
-    foxglove : MCAP file, or foxglove[:PORT], in place of the page
     """
 
     spec: Path | None
     readings: CollectOptions
-    models: tuple[Path, ...] = ()
+    model: Path | None = None
     demo: bool = False
     zeroing: Zeroing = field(default_factory=Zeroing)
     overrides: tuple[str, ...] = ()
@@ -54,7 +53,6 @@ class LiveOptions:
     page_port: int = 8765
     record: bool = False
     seconds: float | None = None
-    foxglove: Path | None = None
 
     @property
     def token(self) -> str:
@@ -64,14 +62,14 @@ class LiveOptions:
 
 @dataclass(frozen=True)
 class LiveSource:
-    """An object, its scene, the lines of its board, and the estimators that read them."""
+    """An object, its scene, the lines of its board, and the estimator that reads them."""
 
     spec: ObjectSpec
     scene: bytes
     name: str
     chunks: Generator[bytes]
     readings: CollectOptions
-    models: tuple[Path, ...]
+    model: Path | None
     zeroing: Zeroing
 
 
@@ -97,16 +95,13 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
             "give the specification of the object that is read: instobj bench live SPEC …"
         )
     spec = load_spec(options.spec, list(options.overrides))
-    for path in options.models:
-        if not path.is_file():
-            raise InputError(
-                f"no model at {path}. `instobj train` and `instobj train --export` make one"
-            )
+    if options.model is not None and not options.model.is_file():
+        raise InputError(f"no model at {options.model}. `instobj train SPEC` makes contacts.nc")
     for port in filter(None, (given.port, given.load_port)):
         require_port(port, given.baud)
     chunks, readings, zeroing = _opened(given, options.zeroing)
     scene = live_scene(spec, Run(spec, progress).require("build").folder, _KEY + _LABELLED)
-    return LiveSource(spec, scene, readings.source, chunks, readings, options.models, zeroing)
+    return LiveSource(spec, scene, readings.source, chunks, readings, options.model, zeroing)
 
 
 def _opened(
@@ -154,6 +149,6 @@ def _demo_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
         hand = simulated_hand(spec, *PRESSES.read(run.require("presses").folder))
     chunks = hand_chunks(hand, channel_names(spec), spec.seed)
     readings = replace(options.readings, cells=CELLS, tips=1)
-    models = options.models or (INVERSION.path(inversion),)
+    model = options.model or INVERSION.path(inversion)
     scene = live_scene(spec, build, _KEY + _TRUE)
-    return LiveSource(spec, scene, "simulated object", chunks, readings, models, Zeroing())
+    return LiveSource(spec, scene, "simulated object", chunks, readings, model, Zeroing())

@@ -16,16 +16,15 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import InputError
-from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.grasps.growing import GrowingGrasps
 from estimator.grasps.measures import MeasuredGrasp, conditions_of
 from estimator.grasps.track import ContactTrack
 from estimator.inversion.condition import Condition
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
-from estimator.recordings.table import channel_name
-from instobj.bench.live.contacts import Estimator, Found, placed_labels
+from instobj.bench.live.contacts import Found, InvertedContacts, placed_labels
 from instobj.bench.live.health import (
     WINDOW,
     channel_health,
@@ -36,7 +35,7 @@ from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 _KEPT = 4000
 _MOST_BEHIND = 40
-"""Rows that an estimator of every frame may be behind before it leaves some out."""
+"""Rows before the newest that the zero is shown, at most."""
 _AT_REST_S = 1.0
 _UNSEEN_S = 0.5
 """Between two readings something may have pressed for so long without being seen."""
@@ -45,16 +44,6 @@ _SHOWN_GRASPS = 50
 _SHOWN_MEASURES = ("peak_n", "grasp_n", "slip_mm")
 AGAIN_S = 0.5
 """Pause after a frame that the estimator refused."""
-
-
-def channel_names(spec: ObjectSpec) -> list[str]:
-    """Channels in the order sensor · 3 + axis, named as boards do."""
-    last_sensor: dict[int, int] = {}
-    names = []
-    for face in sensor_layout(spec).face.tolist():
-        sensor = last_sensor[face] = last_sensor.get(face, -1) + 1
-        names += [channel_name(face - 1, sensor, axis) for axis in range(3)]
-    return names
 
 
 @dataclass(frozen=True)
@@ -72,11 +61,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Reading:
-    """Last contacts of the estimator, when the row that it read had arrived (0: in none), and its stamp."""
+    """Last contacts of the estimator, and when the row that it read had arrived (0: in none)."""
 
     read: Found
     arrived_s: float
-    time_s: float = 0.0
 
 
 NOTHING = Reading(Found(np.zeros((0, CONTACT_WIDTH)), True), 0.0)
@@ -94,7 +82,7 @@ class Watch:
     """
 
     spec: ObjectSpec
-    estimator: Estimator | None
+    estimator: InvertedContacts | None
     zero_frames: int
     reading: Reading = NOTHING
     labels: Float[np.ndarray, "label 10"] = field(
@@ -156,18 +144,13 @@ class Watch:
         """Let the thread that reads contacts end."""
         self.ended = True
 
-    @property
-    def needs_every_frame(self) -> bool:
-        """Return whether no row may be left out in reading."""
-        return self.estimator is not None and self.estimator.needs_every_frame
-
     def rezero(self) -> None:
         """Take the zero again from the frames that follow, of channels and estimator alike."""
         self._start_zero()
         self._rezero_asked = True
 
     def read_next(self) -> None:
-        """Wait for rows and read contacts in them: in the newest, or in all where none may miss."""
+        """Wait for rows and read contacts in the newest."""
         with self._fresh:
             self._fresh.wait_for(lambda: self._next > self._read_to, timeout=0.2)
             waiting = list(islice(reversed(self._rows), min(self._next - self._read_to, _KEPT)))
@@ -228,26 +211,22 @@ class Watch:
                 has_reading.any(axis=0), total / np.maximum(has_reading.sum(axis=0), 1), np.nan
             )
 
-    def _read_rows(self, estimator: Estimator, waiting: list[Row]) -> None:
+    def _read_rows(self, estimator: InvertedContacts, waiting: list[Row]) -> None:
         """Rows that nothing was read from yet, newest first."""
         if self._rezero_asked:
             self._rezero_asked = False
             estimator.rezero()
             self._growing.forget()
-        most = _MOST_BEHIND if estimator.needs_every_frame else 1
-        for row in reversed(waiting[most:][:_MOST_BEHIND]):
-            self._pass_by(estimator, row)
-        for row in reversed(waiting[:most]):
-            self._read(estimator, row)
+        newest, *older = waiting
+        for row in reversed(older[:_MOST_BEHIND]):
+            with suppress(InputError):  # told once it is read
+                estimator.pass_by(self._counts(row), row.time_s, row.left_out)
+        self._read(estimator, newest)
 
     def _counts(self, row: Row) -> Float[np.ndarray, "face sensor 3"]:
         return counts_of(self._channels, tuple(row.raw[self._places].tolist()))
 
-    def _pass_by(self, estimator: Estimator, row: Row) -> None:
-        with suppress(InputError):  # told once it is read
-            estimator.pass_by(self._counts(row), row.time_s, row.left_out)
-
-    def _read(self, estimator: Estimator, row: Row) -> None:
+    def _read(self, estimator: InvertedContacts, row: Row) -> None:
         try:
             contacts = estimator.feed(self._counts(row), row.time_s, row.left_out)
         except InputError as error:
@@ -260,21 +239,21 @@ class Watch:
             unseen_s = row.arrived_s - self.reading.arrived_s
             if len(contacts.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
                 self._pressed_s = row.arrived_s
-            self.reading = Reading(contacts, row.arrived_s, row.time_s)
+            self.reading = Reading(contacts, row.arrived_s)
             if contacts.track is not None:
-                self._take_grasps(contacts.track, estimator.method)
+                self._take_grasps(contacts.track)
 
-    def _take_grasps(self, track: ContactTrack, method: str) -> None:
+    def _take_grasps(self, track: ContactTrack) -> None:
         """Judge the grasps that end with a frame; one that cannot be measured must not end the reading."""
         try:
             for grasp in self._growing.feed(track):
-                self._grasps.append(self._judged(grasp, method))
+                self._grasps.append(self._judged(grasp))
         except (ValueError, ArithmeticError) as error:  # also numpy's LinAlgError
             number = self._growing.count
             text = f"grasp {number}: cannot be measured: {error}"
             self._grasps.append({"grasp": number, "text": text})
 
-    def _judged(self, grasp: MeasuredGrasp, method: str) -> dict[str, Any]:
+    def _judged(self, grasp: MeasuredGrasp) -> dict[str, Any]:
         """Return what the page says of a grasp that has ended: the answer of `instobj assess`, and forces and
         slip where the estimator explains most of it."""
         from instobj.commands.assess.groups import with_ends
@@ -283,7 +262,7 @@ class Watch:
 
         unexplained, number = grasp.readings["unexplained"].value, grasp.grasp.number
         name = f"grasp {number}"
-        text = answer_text(name, [grasp], unexplained, method, self._conditions)
+        text = answer_text(name, [grasp], unexplained, "inversion", self._conditions)
         row = {"grasp": number, "text": text}
         if unexplained <= MOST_UNEXPLAINED:
             row |= {name: with_ends(grasp.readings[name]) for name in _SHOWN_MEASURES}

@@ -69,14 +69,6 @@ def rig(
             + "; ".join(f"{key}, {entry.meaning}" for key, entry in PLAN_KEYS.items()),
         ),
     ] = None,
-    adaptive: Annotated[
-        bool,
-        typer.Option(
-            "--adaptive",
-            help="Adaptive order: press where a twin of the specification is most uncertain; 40 presses, "
-            "returns included, of 9 load cycles (--plan changes them).",
-        ),
-    ] = False,
     resume: Annotated[
         bool, typer.Option("--resume", help="Resume the interrupted run with its plan.")
     ] = False,
@@ -100,7 +92,7 @@ def rig(
         ports = Ports(port, board, load, baud, load_scale, by_travel=by_travel)
     options = RigOptions(
         spec, machine, out, ports, tuple(face or ()), _mounting(middle), **plan_choices(plan or []),
-        adaptive=adaptive, resume=resume, overrides=tuple(overrides or ()),
+        resume=resume, overrides=tuple(overrides or ()),
     )  # fmt: skip
 
     def confirmed(plan: list[str]) -> bool:

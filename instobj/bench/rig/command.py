@@ -13,7 +13,6 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.recordings.boards.growing import finish_recording
 from instobj.bench.collect.options import stop_on_signals
-from instobj.bench.rig.adaptive import adaptive_order
 from instobj.bench.rig.checked_plan import check_plan
 from instobj.bench.rig.dialects import dialect_named
 from instobj.bench.rig.journal import Journal, journal_path, new_journal, resumed_journal
@@ -22,16 +21,12 @@ from instobj.bench.rig.plan import (
     PressPlan,
     PressSettings,
     press_plan,
-    settings_of_few,
     stops_of,
 )
 from instobj.bench.rig.poses import poses, poses_text
 from instobj.bench.rig.run import Ports, carry_out, station_on
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
-
-ADAPTIVE_PRESSES = 40
-"""Presses of an adaptive run, unless another number is given."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +43,6 @@ class RigOptions:
     repeats: int = 1
     reference_every: int = 10
     presses: int | None = None
-    adaptive: bool = False
     resume: bool = False
     overrides: tuple[str, ...] = ()
 
@@ -98,29 +92,16 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
     given = dict(options.settings)
     full_n = given.get("full_n", PressSettings.full_n)
     by_travel = options.ports is not None and options.ports.by_travel
-    usual: dict[str, Any] = {}
-    if options.adaptive:
-        usual = settings_of_few(spec, full_n, by_travel)
-    elif "depths_mm" not in given:
-        usual = {"depths_mm": stops_of(spec, full_n, by_travel)}
-    settings = PressSettings(**(usual | given))
-    presses, order = options.presses, None
-    if options.adaptive:
-        from instobj.stages.run import Run
-        from instobj.store.readers import PRESSES
-
-        presses, spacing = presses or ADAPTIVE_PRESSES, options.reference_every
-        order = adaptive_order(spec, *Run(spec).read(PRESSES), face, settings, presses, spacing)
-        presses = len(order)
+    if "depths_mm" not in given:
+        given["depths_mm"] = stops_of(spec, full_n, by_travel)
     return press_plan(
         spec,
         face,
-        settings,
+        PressSettings(**given),
         spec.seed,
         options.repeats,
         options.reference_every,
-        presses,
-        order,
+        options.presses,
     )
 
 

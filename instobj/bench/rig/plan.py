@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
@@ -21,8 +21,6 @@ _LIMIT_SHARE = 4 / 3
 _SHARE = 1 / STOPS
 _SHALLOWER = 0.85
 _MOST_STROKES = 100
-_FEW_SHARE = 0.75
-_OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.8, "pause_s": 1.5}
 _WAY_S = 2.0
 _LEAST_FULL_N = 1.0
 """Above the three times the touch that finds a surface."""
@@ -184,27 +182,6 @@ def stops_of(
     return tuple(depths[nearest].tolist())
 
 
-def settings_of_few(
-    spec: ObjectSpec, full_n: float = PressSettings.full_n, by_travel: bool = False
-) -> dict[str, Any]:
-    """Return settings by which few places are pressed well: each in strokes to three quarters of the
-    deepest depth, so that every load has an unloaded level within two seconds (docs/measured/rig.md)."""
-    depths, wanted = (
-        bounded_depths_mm(spec, full_n, by_travel),
-        _FEW_SHARE * spec.press.depths_mm[-1],
-    )
-    deepest = depths[np.abs(depths - wanted).argmin()]
-    return {"depths_mm": (float(deepest),)} | _OF_FEW
-
-
-def places_among(presses: int, reference_every: int) -> int:
-    """Return how many of a number of presses are not returns to the reference place."""
-    if not reference_every:
-        return presses
-    rounds = -(-max(presses - 1, 1) // (reference_every + 1))
-    return max(presses - 1 - rounds, 1)
-
-
 def middle_place(places_mm: Float[np.ndarray, "place 2"]) -> int:
     """The reference place: the one nearest to the face's middle."""
     return int(np.linalg.norm(places_mm, axis=1).argmin())
@@ -233,17 +210,15 @@ def press_plan(
     repeats: int = 1,
     reference_every: int = 10,
     presses: int | None = None,
-    order: Int[np.ndarray, "press"] | None = None,
 ) -> PressPlan:
-    """Places of the contact grid, each `repeats` times in rounds of random order, or in a given order.
+    """Places of the contact grid, each `repeats` times in rounds of random order.
 
     After every `reference_every` presses (0: never), and at the start and the end, the place nearest
     to the face's middle is pressed, so that drift shows. `presses` keeps the first ones.
     """
     places = face_places(spec, face)
-    if order is None:
-        rng = np.random.default_rng(seed)
-        order = np.concatenate([rng.permutation(len(places)) for _ in range(repeats)])
+    rng = np.random.default_rng(seed)
+    order = np.concatenate([rng.permutation(len(places)) for _ in range(repeats)])
     chosen = [(place, False) for place in order.tolist()[:presses]]
     if reference_every:
         back = (middle_place(places), True)

@@ -20,7 +20,7 @@ from instobj.report.pages import write_page
 from instobj.search.outcome.figures import LABELS, draw_convergence
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.search.outcome.moves import moved_parts
-from instobj.search.outcome.rows import estimator_rows, promotion_tables, ratio_rows
+from instobj.search.outcome.rows import promotion_tables, ratio_rows
 from instobj.search.verdict import best_known
 from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
@@ -74,7 +74,6 @@ def write_search_page(
         highest=_highest(promotion) + _cross_face(results),
         maps=_maps(promotion, results, figures),
         ratios=ratio_rows(promotion),
-        estimators=estimator_rows(promotion),
         tables=promotion_tables(promotion),
         parts=_parts(results.parts),
         parts_picture=PARTS_PICTURE.path(results.parts),

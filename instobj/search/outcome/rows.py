@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from instobj.search.fidelity import METRIC_LABELS, score_row
+from instobj.search.fidelity import score_row
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
 
 
 def promotion_tables(promotion: Promotion) -> dict[str, list[dict[str, Any]]]:
-    """Title → rows: scores at each fidelity level, virtual objects, estimators, and how levels rank."""
+    """Title → rows: scores at each fidelity level, and virtual objects."""
     return {
         "lowest fidelity level: rigid magnets in first reflection, linear signals": _level_rows(
             promotion, FIRST
@@ -19,8 +19,6 @@ def promotion_tables(promotion: Promotion) -> dict[str, list[dict[str, Any]]]:
         ),
         "highest fidelity level: the chain": _level_rows(promotion, LAST),
         "highest fidelity level, between objects within tolerance": ratio_rows(promotion),
-        "estimators trained for a layout, simulated presses held out": estimator_rows(promotion),
-        "how well a fidelity level ranks the next (Spearman)": correlation_rows(promotion),
     }
 
 
@@ -29,24 +27,6 @@ def ratio_rows(promotion: Promotion) -> list[dict[str, Any]]:
     return [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
         for name, ratio in promotion.ratios.items()
-    ]
-
-
-def estimator_rows(promotion: Promotion) -> list[dict[str, Any]]:
-    """One row per metric, one column per layout; none where no estimator was trained in time."""
-    names = next(iter(promotion.estimators.values()), {})
-    return [
-        {"mean of faces": METRIC_LABELS[name]}
-        | {label: errors.get(name) for label, errors in promotion.estimators.items()}
-        for name in names
-    ]
-
-
-def correlation_rows(promotion: Promotion) -> list[dict[str, Any]]:
-    """Rank correlations of every score, from a level to the next."""
-    return [
-        {"score": name, "1 to 2": promotion.correlations[FIRST][name], "2 to 3": second}
-        for name, second in promotion.correlations[SECOND].items()
     ]
 
 

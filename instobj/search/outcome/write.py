@@ -117,8 +117,6 @@ def _results(promotion: Promotion) -> dict[str, Any]:
                 "start": promoted(promotion.start),
                 "leaders": [promoted(layout) for layout in promotion.leaders],
                 "finalists": [layout.label for layout in promotion.finalists],
-                "rank_correlations": promotion.correlations,
-                "estimators": promotion.estimators,
                 "ratios": {name: asdict(ratio) for name, ratio in promotion.ratios.items()},
             }
         )

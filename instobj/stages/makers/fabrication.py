@@ -1,4 +1,4 @@
-"""Makers of the stages of fabrication: checks, bill of materials, assembly sheet."""
+"""Makers of the stages of fabrication: checks, order list, assembly sheet."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from pathlib import Path
 
 from instobj.store.readers import (
     ASSEMBLY_SHEET,
-    BOM,
     DEMOULDING,
     EXPLODED_VIEW,
     FINDINGS,
@@ -38,8 +37,7 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
 
 
 def make_sheet(context: StageContext, folder: Path) -> None:
-    """Bill of materials, parts to order and assembly sheet of a build."""
-    from design.build.bom import bill_of_materials, write_bom
+    """Parts to order and assembly sheet of a build."""
     from design.build.manifest import BuildManifest
     from design.build.order_list import order_list, write_orders
     from design.files import atomic_path
@@ -54,7 +52,6 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
     plan = first_plan(spec)
-    write_bom(bill_of_materials(spec, manifest, plan), BOM.path(folder))
     orders = order_list(spec, plan)
     write_orders(orders, ORDERS.path(folder))
     split = has_mould(spec) and mould_style(spec) == "split"

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,12 +25,7 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
-    from estimator.inversion.readings import ContactSets
 
-Baselines = Mapping[str, Callable[[np.ndarray], "ContactSets"]]
-"""Readings without uncertainty of the given rows of frames."""
-UNCERTAINTIES = ("place in 90 % region %", "force in 90 % interval %", "not explained %")
-"""Columns that such readings have not."""
 MOST_FRAMES = 400
 """Judged at most, drawn at random: a frame takes some tens of milliseconds."""
 _OBJECT_SEED = 1000
@@ -141,16 +134,14 @@ def write_contact_metrics(
     judged: str,
     folder: Path,
     step: Step,
-    baselines: Baselines = MappingProxyType({}),
 ) -> None:
     """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, compared with
-    the Cramér–Rao bound of the places and with what `baselines` read in the same frames, by name."""
+    the Cramér–Rao bound of the places."""
     from estimator.frames.windows import all_counts, chosen_rows
     from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
     from instobj.figures.contacts import draw_contacts
 
-    rows = chosen_rows(frames, MOST_FRAMES)
-    chosen = frames.select(rows)
+    chosen = frames.select(chosen_rows(frames, MOST_FRAMES))
     best, second = inversion.read(
         all_counts(chosen), progress=lambda done: step(f"frame {done} of {len(chosen)}")
     )
@@ -163,11 +154,5 @@ def write_contact_metrics(
         "frames with a second answer above 10 %": int((second.odds > 0.1).sum()),
         "contacts": table,
     }
-    if baselines:
-        content["baselines"] = []
-    for name, reading in baselines.items():
-        step(name)
-        for row in contact_rows(matched_contacts(chosen, reading(rows))):
-            content["baselines"].append({"model": name} | row | dict.fromkeys(UNCERTAINTIES))
     write_json(content, CONTACT_METRICS.path(folder))
     draw_contacts(chosen, best, matched, CONTACT_PICTURE.path(folder))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from design.build.bom import silicone_amount
+from design.build.amounts import silicone_amount
 from design.build.masses import (
     BOARD_G_PER_CM3,
     MAGNET_G_PER_CM3,

@@ -7,7 +7,7 @@ import trimesh
 from numpy.testing import assert_allclose, assert_array_equal
 
 import instobj
-from design.build.bom import silicone_amount
+from design.build.amounts import silicone_amount
 from design.build.order_list import order_list
 from design.build.scene import magnet_halves
 from design.errors import InputError, SpecError

@@ -1,7 +1,5 @@
-"""Plans, wires, orders and bills of objects off their symmetries: a page that a person can judge."""
+"""Plans, wires and orders of objects off their symmetries: a page that a person can judge."""
 
-from design.build.bom import bill_of_materials
-from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import order_list
 from design.catalogue.bus_parts import BOARDS
 from design.wiring.bus_plan import all_plans
@@ -15,19 +13,6 @@ CELLS = {
     "hx711": {"kind": "hx711", "scale_n": -30.0 / 0.9},
     "analog": {"kind": "analog", "scale_n": 21.0},
 }
-
-
-def part(name, volume_mm3, high_mm, material="printed", count=1):
-    box, flags = ((0.0, 1.0, 2.0), high_mm), (9, 1, 1.0, True, 4)
-    return PartManifest(name, volume_mm3, box, (0.0,) * 3, *flags, material, count)
-
-
-PARTS = (
-    part("core", 21000.0, (30.0, 35.5, 43.0)),
-    part("shell", 70000.0, (46.0, 50.0, 56.0), "silicone"),
-    part("mould_half_a", 90000.0, (50.0, 60.0, 70.0)),
-    part("mould_pin", 150.0, (5.0, 6.0, 9.25), count=12),
-)
 
 
 def of_plan(board, plan):
@@ -66,8 +51,6 @@ def of_wires_and_orders():
     spec = worked("box")
     plan = all_plans(spec, BOARDS["mega2560"]).plans[0]
     yield "wires, to buy (m)", [len(wires_of(plan)), wire_length_m(plan)]
-    bill = bill_of_materials(spec, BuildManifest("worked", "", PARTS, {}), plan)
-    yield "bill", ", ".join(f"{item.count} × {item.item}" for item in bill)
     yield (
         "orders",
         ", ".join(f"{line.packs} × {line.part}" for line in order_list(spec, plan)),

@@ -1,4 +1,4 @@
-"""Plain readers of contacts: pursuit of made-up presses, patches of heatmaps, means of training."""
+"""Plain readers of contacts: pursuit of made-up presses, patches of heatmaps."""
 
 from types import SimpleNamespace
 
@@ -21,24 +21,6 @@ def frames(face, xy, force, valid):
         np.zeros(count, int), np.zeros(count, int), np.zeros(count, int), np.arange(count) / 10.0,
         np.array([2, 5]), np.zeros(1), np.zeros(1), np.ones(3), "simulated", "x", 0,
     )  # fmt: skip
-
-
-def test_the_mean_of_training_is_the_mean_place_and_force_of_every_face_that_it_presses():
-    """Two tips on face 5 bear their force together; an invalid frame counts nowhere."""
-    none = [NAN, NAN]
-    given = frames(
-        [[5, 5], [5, 0], [0, 0], [2, 0]],
-        [[[1, 2], [3, 4]], [[5, 0], none], [none, none], [[7, 7], none]],
-        [[4.0, 2.0], [3.0, NAN], [NAN, NAN], [8.0, NAN]],
-        [True, True, True, False],
-    )
-    only = given.select(np.array([0, 1, 2]))
-    found = contact_baselines.training_mean(only, 2)
-    assert_array_equal(found.face, [[5], [5]])
-    assert_allclose(found.xy_mm[0, 0], [3.0, 2.0])
-    assert_allclose(found.force_n[:, 0], (6 + 3) / 2)
-    assert np.isnan(found.covariance).all()
-    assert found.odds.tolist() == found.p_value.tolist() == [1.0, 1.0]
 
 
 def test_sets_of_any_number_have_as_many_slots_as_the_largest():

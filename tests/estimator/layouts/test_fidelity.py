@@ -22,7 +22,6 @@ from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, nei
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     lowest_fidelity_score,
-    rank_correlations,
     regressed_share,
     score_signals,
 )
@@ -41,7 +40,6 @@ from tests.support.mechanics.candidate_cases import (
     random_layouts,
 )
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-from tests.support.objects.fidelity_scores import START
 
 COUNT = 3
 GRID = {"count": (3, 3), "pitch_mm": 8.0}
@@ -187,25 +185,6 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     limit, edge = spec.limits.position_bound_mm, max(spec.body.size_mm)
     assert regressed_share(better, found, limit) == np.mean(bounds > limit)
     assert_allclose(found.position_over_limit, gmean(np.clip(bounds, limit, edge).ravel() / limit))
-
-
-def test_rank_correlation_counts_order_alone():
-    def level(*values):
-        return [
-            replace(
-                START, worst_position_bound_mm=v, worst_force_bound_n=-v, sensitivity_ratio=v**3,
-                percentile_95_false_force_n=np.inf if v == 2.0 else v,
-            )
-            for v in values
-        ]  # fmt: skip
-
-    found = rank_correlations(level(1.0, 2.0, 5.0), level(10.0, 11.0, 90.0))
-    assert found["worst_position_bound_mm"] == found["sensitivity_ratio"] == pytest.approx(1)
-    assert np.isnan(found["median_false_force_n"]), "all alike"
-    assert np.isnan(found["percentile_95_false_force_n"]), "infinite"
-    turned = rank_correlations(level(1.0, 2.0, 5.0), level(3.0, 2.0, 1.0))
-    assert turned["worst_force_bound_n"] == pytest.approx(-1)
-    assert np.isnan(rank_correlations(level(1.0, 2.0), level(1.0, 2.0))["worst_force_bound_n"])
 
 
 def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():

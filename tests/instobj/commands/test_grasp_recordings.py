@@ -1,4 +1,4 @@
-"""Recordings of one and two tips per jaw train, a recording of three tips judges (`--on`)."""
+"""Recordings of one and two tips per jaw train, a recording of three tips judges."""
 
 import json
 from dataclasses import replace
@@ -11,9 +11,11 @@ from design.errors import InputError
 from estimator.calibration.twin import unknowns
 from estimator.frames.dataset import load_frames, save_frames
 from instobj.commands import inversion as command
+from instobj.commands.contacts import contacts_in_file
+from instobj.commands.readings import FOLLOW_REST
 from instobj.commands.run import run_estimator
 from instobj.stages.makers import inversion as makers
-from instobj.stages.makers.twin import TwinOfData
+from instobj.stages.makers.twin import TwinOfData, require_same_object
 from tests.support.mechanics.inverted import SPEC, presses
 from tests.support.recordings.made_grasps import both, built_object, grasps
 
@@ -31,45 +33,38 @@ def recordings(tmp_path_factory):
 
 @pytest.fixture
 def simulated(monkeypatch, tmp_path):
-    """Presses that need no mesh, few frames, one step of the calibration, no networks."""
+    """Presses that need no mesh, few frames, one step of the calibration."""
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     monkeypatch.setattr(unknowns, "ITERATIONS", 1)
     monkeypatch.setattr(makers, "MOST_FRAMES", 10)
     twin = TwinOfData(SPEC, presses()[:2], "made", 0)
     monkeypatch.setattr(command, "simulated_twin", lambda *_: twin)
-    monkeypatch.setattr(command, "trained_networks", lambda *_: {})
     return tmp_path
 
 
-def evaluated(recordings: Path, out: Path, on: str, overrides):
+def trained(recordings: Path, out: Path, overrides):
     stages, twin = ("networks", "metrics"), Path("object.toml")
-    run_estimator([recordings / "two.nc"], stages, out, overrides, twin=twin, on=recordings / on)
+    run_estimator([recordings / "two.nc"], stages, out, overrides, twin=twin)
+    return out / "runs" / "two"
 
 
-def test_three_tips_are_judged_beside_simple_readings(recordings, simulated):
-    evaluated(recordings, simulated, "three.nc", [INVERSION])
-    run = simulated / "runs" / "two"
+def test_three_tips_are_judged_by_an_inversion_of_two(recordings, simulated):
+    run = trained(recordings, simulated, [INVERSION])
     content = json.loads((run / "contact_metrics.json").read_text())
-    assert "three.nc, of which nothing was trained" in content["judged"]
-    (hard,) = (row for row in content["contacts"] if row["force"] == "from 4 N")
-    assert hard["tips a face"] == 3
-    simple = {row["model"]: row for row in content["baselines"] if row["force"] == hard["force"]}
-    assert set(simple) == {"networks' patches", "matching pursuit", "mean of the training labels"}
-    assert hard["distance mm"] < simple["mean of the training labels"]["distance mm"]
-    assert hard["total force N"] < simple["mean of the training labels"]["total force N"]
-    assert simple["networks' patches"]["missed a frame"] == 6
+    assert "whole presses held out" in content["judged"]
     (row,) = json.loads((run / "calibration.json").read_text())["faces"]
     assert (row["faces together"], row["cases"], row["contacts a case"]) == ("3, 5", 5, 4)
     assert row["signals left %, cases left out"] < row["signals left %, design"]
+    three = recordings / "three.nc"
+    tables = contacts_in_file(run / "contacts.nc", three, simulated, FOLLOW_REST)["tables"]
+    (judged,) = (rows for title, rows in tables.items() if "against the labels" in title)
+    (hard,) = (row for row in judged if row["force"] == "from 4 N")
+    assert hard["tips a face"] == 3
+    assert hard["distance mm"] < 3
 
 
 def test_another_object_is_refused(recordings, simulated):
-    three = load_frames(recordings / "three.nc")
-    save_frames(replace(three, grid_x_mm=np.arange(3.0)), recordings / "other.nc")
+    two = load_frames(recordings / "two.nc")
+    other = replace(two, grid_x_mm=np.arange(3.0))
     with pytest.raises(InputError, match="Give the specification of the object"):
-        evaluated(recordings, simulated, "other.nc", [INVERSION])
-
-
-def test_networks_are_not_judged_on_another_recording(recordings, simulated):
-    with pytest.raises(InputError, match=r"training\.model=inversion and --twin SPEC"):
-        evaluated(recordings, simulated, "three.nc", [])
+        require_same_object(SPEC, other)

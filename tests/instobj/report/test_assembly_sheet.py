@@ -1,6 +1,5 @@
-"""Bill of materials and assembly sheet: figures by hand, every magnet's pole, every wire."""
+"""Assembly sheet: figures by hand, every magnet's pole, every wire."""
 
-import csv
 import re
 from pathlib import Path
 
@@ -9,7 +8,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.build.bom import bill_of_materials, silicone_amount, write_bom
+from design.build.amounts import printed_items, silicone_amount
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.masses import mass_text
 from design.build.order_list import order_list
@@ -72,36 +71,24 @@ def test_a_bay_in_a_closed_core_is_filled_and_closed_before_casting():
     assert not any("core_lid" in step for step in steps(parsed(body={"open_faces": []}), ("core",)))
 
 
-def test_the_bill_counts_everything(tmp_path):
-    spec = parsed(magnets={"positions_mm": [[0, 0], [9, 8]], "north": ["outward", "inward"]})
-    write_bom(bill_of_materials(spec, MANIFEST, None), tmp_path / "bom.csv")
-    with (tmp_path / "bom.csv").open(encoding="utf-8") as stream:
-        rows = {row["item"]: row for row in csv.DictReader(stream)}
-    magnets = rows["disk magnet Ø6 × 1 mm"]
-    assert magnets["count"] == "10"
-    assert "5 with north outward, 5 inward" in magnets["note"]
-    assert rows["Hall sensor TMAG5273A1"]["count"] == "15"
-    assert rows["wire Ø0.4 mm"]["count"] == "60"
-    pins = rows["print mould_pin"]
-    assert (pins["count"], pins["volume_cm3"]) == ("25", "150.000")
-    assert_allclose(float(pins["mass_g"]), 150 * 1.27, rtol=1e-6)
-    assert "print shell" not in rows
-    split = manifest_of(("mould_half_a", "printed", 1))
-    assert any("screw" in item.item for item in bill_of_materials(spec, split, None))
+def test_prints_are_counted_and_weighed_as_solid():
+    items = {item.item: item for item in printed_items(parsed(), MANIFEST)}
+    pins = items["print mould_pin"]
+    assert (pins.count, pins.volume_cm3) == (25, 150.0)
+    assert_allclose(pins.mass_g, 150 * 1.27, rtol=1e-6)
+    assert "print shell" not in items
 
 
-def test_the_bill_and_the_orders_name_the_same_sensors(tmp_path):
+def test_the_sheet_names_every_sensor_that_is_ordered(tmp_path):
     """Four chips of a bus have four addresses, which four orderable variants have."""
     spec = parsed()
     plan = next(plan for plan in all_plans(spec, MEGA2560).plans if plan.way == MIXED)
-    bill = {i.item: i.count for i in bill_of_materials(spec, MANIFEST, plan) if "Hall" in i.item}
-    pieces = [l.pieces for l in order_list(spec, plan) if l.number.startswith("TMAG5273")]
-    assert sorted(bill.values()) == sorted(pieces)
-    assert len(bill) == 4
-    assert sum(bill.values()) == 15
+    ordered = order_list(spec, plan)
+    pieces = {l.number: l.pieces for l in ordered if l.number.startswith("TMAG5273")}
+    assert (len(pieces), sum(pieces.values())) == (4, 15)
     save_dot(tmp_path / "picture.png")
-    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan)
-    assert all(f"<td>{name}</td>" in page for name in bill)
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan, ordered)
+    assert all(f"<td>{number}</td>" in page for number in pieces)
 
 
 def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
@@ -295,7 +282,7 @@ def test_without_a_mould_nothing_of_it_is_named():
     assert "halves" not in told
 
 
-def test_every_grade_has_its_line_and_its_places():
+def test_every_grade_has_its_places():
     magnets = {
         "positions_mm": [[0, 0], [9, 8], [-9, 8]],
         "north": ["outward", "inward", "inward"],
@@ -303,13 +290,6 @@ def test_every_grade_has_its_line_and_its_places():
         "remanence_t": [1.43, 1.2, 1.46],
     }
     spec = parsed(magnets=magnets)
-    bill = {item.item: item for item in bill_of_materials(spec, MANIFEST, None)}
-    strong, weak = bill["disk magnet N52 Ø6 × 1 mm"], bill["disk magnet N35 Ø6 × 1 mm"]
-    assert (strong.count, weak.count) == (10, 5)
-    assert strong.note == (
-        "remanence 1.43 to 1.46 T; 5 with north outward, 5 inward; magnets 1, 3 of every face"
-    )
-    assert weak.note == "remanence 1.2 T; 0 with north outward, 5 inward; magnet 2 of every face"
     told = " ".join(steps(spec, ["core", "shell"]))
     assert "On every face: magnets 1, 3 N52; magnet 2 N35." in told
     assert "several kinds" not in " ".join(steps(parsed(magnets={"grade": "N52"}), ["core"]))

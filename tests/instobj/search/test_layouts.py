@@ -44,7 +44,7 @@ def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
     )  # fmt: skip
     best = Promoted(f"trial {trials[5].number}", trials[5].number, space.spec, {})
     start = Promoted("start", None, space.spec, {})
-    found = Promotion(start, (best,), (best,), {}, {}, {}, (), (1, 1))
+    found = Promotion(start, (best,), (best,), {}, (), (1, 1))
     shown = shown_layouts(space, kept, found, history)
     assert [one.label for one in shown[:2]] == ["start", best.label]
     assert shown[1].scores == pytest.approx(tuple(values[5]))

@@ -15,7 +15,7 @@ from design.spec_io import parse_spec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.figures.maps import overview
-from instobj.search.fidelity import METRIC_LABELS, TwinRatio
+from instobj.search.fidelity import TwinRatio
 from instobj.search.outcome import page
 from instobj.search.outcome.figures import LABELS
 from instobj.search.outcome.layouts import ShownLayout
@@ -73,12 +73,10 @@ def promote(objections, levels=("1", "2", "3")):
 
     moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}
     start, best = promoted("start", None, 2.0), promoted("trial 7 <b>", 7, 1.0, magnets=moved)
-    correlations = {level: dict.fromkeys(SCORE_NAMES, 0.5) for level in ("1", "2")}
     if "3" not in levels:
-        return Promotion(start, (best,), (), correlations, {}, {}, objections, (1, 1))
+        return Promotion(start, (best,), (), {}, objections, (1, 1))
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
-    estimators = {one.label: dict.fromkeys(METRIC_LABELS, 0.25) for one in (start, best)}
-    return Promotion(start, (best,), (best,), correlations, ratios, estimators, objections, (1, 1))
+    return Promotion(start, (best,), (best,), ratios, objections, (1, 1))
 
 
 def test_without_the_whole_chain_the_page_shows_the_second_level(tmp_path, results, monkeypatch):

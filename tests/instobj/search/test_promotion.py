@@ -72,7 +72,7 @@ def test_the_best_known_layout_is_the_start_where_what_was_found_costs_more_than
         for name, of in (("start", START), ("trial 3", score))
     )
     against = objections(spec.search, best, start, SURE)
-    promotion = Promotion(start, (best,), (best,), {}, SURE, {}, against, (1, 1))
+    promotion = Promotion(start, (best,), (best,), SURE, against, (1, 1))
     assert (best_known(spec.search, promotion) is start) == is_start
     words = best_in_words(spec.search, promotion)
     assert words.startswith("your own layout, unchanged" if is_start else "trial 3, better")

@@ -15,7 +15,7 @@ from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.selftest import sensor_names
-from instobj.bench.bringup.asking.hold_places import OVER_MM, hold_places
+from instobj.bench.bringup.asking.held_magnet import OVER_MM
 
 Step = Literal["still", "held", "earth", "closed", "magnet", "rest"]
 STEPS: dict[Step, str] = {
@@ -26,13 +26,11 @@ STEPS: dict[Step, str] = {
     "magnet": "poles of the magnets",
     "rest": "resting levels",
 }
-STILL_S, HELD_S, FURTHER_S, STEP_S, POSE_S = 10.0, 4.0, 10.0, 2.0, 20.0
-"""Times of recordings: at rest, a held magnet, further holds, a magnet put in, a pose."""
+STILL_S, HELD_S, STEP_S, POSE_S = 10.0, 4.0, 2.0, 20.0
+"""Times of recordings: at rest, a held magnet, a magnet put in, a pose."""
 STILL, STILL_AGAIN = "still", "still again"
 POSES = (("+z", "+x"), ("-z", "+x"), ("+x", "+y"), ("-x", "+y"), ("+y", "+z"), ("-y", "+z"))
 """Axis of the object that points up, and the one that points away from the user."""
-MOST_FURTHER = 12
-"""Further holds that are asked for at most."""
 _FEWEST_FRAMES = 10
 """Frames of a recording that is asked for, at least."""
 
@@ -115,33 +113,6 @@ def asked_of(spec: ObjectSpec) -> tuple[Question, ...]:
     return (*_bare_core(spec), *_closed_object(spec))
 
 
-def further_holds(spec: ObjectSpec) -> tuple[Question, ...]:
-    """All holds that may be asked for in addition to the planned ones, where gains are not known well enough.
-
-    Over every chip once more, and half way between every two neighbours; longer than the planned ones.
-    """
-    frames, further = _frames(spec, FURTHER_S), []
-    for part, place in enumerate(hold_places(spec)):
-        name, text = f"held {place.chips[0]} again", _question_over(spec, place.chips[0])
-        if len(place.chips) > 1:
-            name = f"held {' '.join(place.chips)}"
-            text = (
-                f"Hold the magnet about {place.height_mm:g} mm above face {place.face} of the core, "
-                f"half way along its surface from {place.chips[0]} to {place.chips[1]}, its north "
-                "pole towards the core, as still as you can"
-            )
-        further.append(Question(name, "held", text, frames, part))
-    return tuple(further)
-
-
-def _question_over(spec: ObjectSpec, name: str) -> str:
-    face, number = name[1:].split("-S")
-    return (
-        f"Hold one {_kinds(spec)[0]}magnet about {OVER_MM:g} mm above face {face}, sensor {number}, "
-        "its north pole towards the core, as still as you can"
-    )
-
-
 def _frames(spec: ObjectSpec, seconds: float) -> int:
     return max(_FEWEST_FRAMES, round(seconds * spec.sensors.frame_rate_hz))
 
@@ -155,7 +126,15 @@ def _bare_core(spec: ObjectSpec) -> Iterator[Question]:
         _frames(spec, STILL_S),
     )
     for part, name in enumerate(sensor_names(sensor_layout(spec).face)):
-        yield Question(f"held {name}", "held", _question_over(spec, name), frames, part)
+        face, number = name[1:].split("-S")
+        yield Question(
+            f"held {name}",
+            "held",
+            f"Hold one {_kinds(spec)[0]}magnet about {OVER_MM:g} mm above face {face}, sensor {number}, "
+            "its north pole towards the core, as still as you can",
+            frames,
+            part,
+        )
     yield Question(
         STILL_AGAIN,
         "still",

@@ -12,13 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from design.layout.body import core_frames
 from design.layout.places.positions import SensorLayout, sensor_layout
+from design.layout.pockets import sensor_places
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_sources
 from estimator.field.vectors import components, rotate
-from instobj.bench.bringup.asking.hold_places import hold_places
 
+OVER_MM = 10.0
+"""Height above the core's surface at which a magnet is to be held."""
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
 """Errors of hands (standard deviations), and what turning the core in Earth's field changes."""
 _LOWEST_MM = 0.5
@@ -31,14 +35,12 @@ _UNKNOWNS = 8
 class HeldMagnet:
     """The core's chips as designed, stated places of the magnet with the faces' axes, its field.
 
-    `height_mm` is how high above the core the stated places are. `polarity` is 1 where the magnet's
-    north points into the core, as asked for, −1 where out of it.
+    `polarity` is 1 where the magnet's north points into the core, as asked for, −1 where out of it.
     """
 
     sensors: SensorLayout
     stated_mm: Float[np.ndarray, "hold 3"]
     face_axes: Float[np.ndarray, "hold 3 3"]
-    height_mm: Float[np.ndarray, "hold"]
     magnet: FieldModel
     counts_per_mt: float
     polarity: Float[np.ndarray, "hold"]
@@ -64,7 +66,7 @@ class HeldMagnet:
         """Return the centre of the magnet in the object's frame; never inside the core."""
         shift = pose[:, :3].copy()
         thick = self.magnet.magnet.height_mm / 2
-        shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - self.height_mm)
+        shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - OVER_MM)
         # h hold, j axis of its face (columns), i object coordinate
         return self.stated_mm + np.einsum("hij,hj->hi", self.face_axes, shift)
 
@@ -79,16 +81,29 @@ class HeldMagnet:
         return pose / np.r_[[HAND_MM] * 3, [HAND_RAD] * 2, [uniform] * 3]
 
 
+@cached_geometry
+def hold_places(
+    spec: ObjectSpec,
+) -> tuple[Float[np.ndarray, "hold 3"], Float[np.ndarray, "hold 3 3"]]:
+    """Return where the magnet's centre is to be, in the object's frame (mm), over every chip in the order of
+    the sensors; and axes there as columns, the third pointing out of the core."""
+    stated_mm, axes = [], []
+    for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
+        for x, y, _ in places:
+            stated_mm.append(frame.to_object(np.array([x, y, OVER_MM])))
+            axes.append(frame.axes_at(np.array([x, y])))
+    return np.stack(stated_mm), np.stack(axes)
+
+
 def held_magnet(spec: ObjectSpec, holds: list[int]) -> HeldMagnet:
-    """The model for one of the object's own magnets at the hold places of those numbers."""
-    places = [hold_places(spec)[hold] for hold in holds]
+    """The model for one of the object's own magnets over the chips of those numbers."""
+    stated_mm, axes = hold_places(spec)
     source = magnet_sources(spec.magnets)[0]
     model = field_model(source, 1.7 * source.circumscribed_radius_mm)
     return HeldMagnet(
         sensor_layout(spec),
-        np.stack([place.stated_mm for place in places]),
-        np.stack([place.axes for place in places]),
-        np.array([place.height_mm for place in places]),
+        stated_mm[holds],
+        axes[holds],
         model,
         spec.sensors.counts_per_mt,
         np.ones(len(holds)),

@@ -122,8 +122,7 @@ def sites_by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.nd
     size = np.sqrt(np.nansum(readings.counts**2, axis=2)) + 1.0
     gain = np.zeros((size.shape[1], size.shape[1])) - 1e-3
     gain[np.arange(len(gain)), np.arange(len(gain))] = 0.0
-    over = [row for row, hold in enumerate(holds) if hold < len(gain)]
-    gain[:, [holds[row] for row in over]] += np.log(size[over].T)
+    gain[:, list(holds)] += np.log(size.T)
     return linear_sum_assignment(gain, maximize=True)[1]
 
 
@@ -263,7 +262,6 @@ def _one(
         model,
         stated_mm=model.stated_mm[rows],
         face_axes=model.face_axes[rows],
-        height_mm=model.height_mm[rows],
         polarity=model.polarity[rows],
     )
     noise = readings.noise_counts[rows]

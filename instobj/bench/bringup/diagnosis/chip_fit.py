@@ -29,11 +29,14 @@ _STEP, _SETTLED = 1e-4, 1e-6
 
 def chips_found(readings: HeldReadings, arrangement: Arrangement) -> list[ChipFound]:
     """Chips by name: turned by any angle, with dead axes, gains and their intervals."""
-    fit = fitted(readings, arrangement)
-    problem, turns, dead = fit.problem, fit.problem.arrangement.turn, fit.dead
-    matrix = problem.matrices(fit.unknown)
+    turns, dead = linear_chips(readings, arrangement)
+    alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
+    problem = JointFit.start_from(alive, replace(arrangement, turn=turns))
+    slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
+    fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
+    matrix, covariance = problem.matrices(fit.x), np.linalg.inv(fit.jac.T @ fit.jac)
     gain, interval = relative_gains(
-        matrix, fit.covariance[problem.gains, problem.gains], problem.is_read
+        matrix, covariance[problem.gains, problem.gains], problem.is_read
     )
     turned = [
         orthogonal_part(rows, dead[chip], arrangement.turn[chip])
@@ -51,35 +54,6 @@ def chips_found(readings: HeldReadings, arrangement: Arrangement) -> list[ChipFo
         )
         for c, site in enumerate(arrangement.site)
     ]
-
-
-@dataclass(frozen=True)
-class Fitted:
-    """The fit of everything at once: most probable unknowns, their covariance, and dead axes."""
-
-    problem: JointFit
-    unknown: Float[np.ndarray, "unknown"]
-    covariance: Float[np.ndarray, "unknown unknown"]
-    dead: Bool[np.ndarray, "chip 3"]
-
-
-def fitted(readings: HeldReadings, arrangement: Arrangement) -> Fitted:
-    """Poses, matrices and seats of all chips, from the arrangement on."""
-    turns, dead = linear_chips(readings, arrangement)
-    alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
-    problem = JointFit.start_from(alive, replace(arrangement, turn=turns))
-    slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
-    fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
-    return Fitted(problem, fit.x, np.linalg.inv(fit.jac.T @ fit.jac), dead)
-
-
-def gain_intervals(
-    matrix: Float[np.ndarray, "chip 3 3"],
-    covariance: Float[np.ndarray, "entry entry"],
-    is_read: Bool[np.ndarray, "chip 3"],
-) -> Float[np.ndarray, "chip"]:
-    """Half of the 95 % interval of every chip's gain, its living axes together; NaN without any."""
-    return relative_gains(matrix, covariance, is_read)[1][:, 3]
 
 
 def linear_chips(

@@ -13,7 +13,6 @@ from estimator.calibration.twin.pressed_places import (
     PressedPlaces,
     drift_rate,
     pressed_places,
-    zero_covariance,
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
@@ -104,7 +103,6 @@ def test_drift_grows_over_its_time_and_half_the_frames_that_follow_a_zero():
     assert DRIFT_TIME_S == 900
     rate = 30.0**2 / 900
     assert_allclose(drift_rate(spec), rate)
-    assert_allclose(zero_covariance(spec, 40), 49 + rate * 2.0 / 2)
 
 
 def test_a_channel_with_a_gap_in_any_frame_of_a_case_is_left_out():

@@ -10,14 +10,13 @@ import pytest
 from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
+from estimator.calibration.resting import channel_names
 from estimator.recordings.boards.link import serial_chunks
-from instobj.bench.bringup.asking.asked import asked_of, further_holds
+from instobj.bench.bringup.asking.asked import asked_of
 from instobj.bench.bringup.dialogue import ask_questions, open_questions
-from instobj.bench.bringup.journal import channels_of, open_journal, read_journal
-from instobj.bench.bringup.page import bringup_page
+from instobj.bench.bringup.journal import open_journal, read_journal
 from instobj.bench.bringup.simulated import simulated_object
-from instobj.bench.bringup.sources import Board, FromFile, Simulated
-from instobj.bench.bringup.verdict import judge
+from instobj.bench.bringup.sources import Board
 from tests.support.cli import assert_one_clear_error, run
 from tests.support.new_objects import SMALL, SMALL_TEXT, played_board
 
@@ -104,7 +103,7 @@ class Typed:
 
 def with_board(journal, lines, channels=None):
     """Go through the questions with these answers."""
-    with played_board(channels or channels_of(SMALL)) as board:
+    with played_board(channels or channel_names(SMALL)) as board:
         board.show(SCENE.recording(replace(ASKED[0], frames=20)))
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=Typed(board, lines))
         ask_questions(SMALL, source, journal, set())
@@ -123,7 +122,7 @@ def test_a_bring_up_at_a_port_goes_on_where_the_user_stopped(tmp_path, capsys):
 
 def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
     journal = open_journal(tmp_path / "bringup.csv", SMALL)
-    with played_board(channels_of(SMALL)) as board:
+    with played_board(channel_names(SMALL)) as board:
         board.show(SCENE.recording(replace(ASKED[0], frames=20)))
         typed = Typed(board, [""])
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=typed)
@@ -136,10 +135,10 @@ def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
 def test_boards_of_other_objects_and_counts_beyond_16_bits_are_refused(tmp_path):
     journal = open_journal(tmp_path / "bringup.csv", SMALL)
     with pytest.raises(InputError, match="F1-X3, which small has not"):
-        with_board(journal, [""], channels=[*channels_of(SMALL)[:-1], "F1-X3"])
+        with_board(journal, [""], channels=[*channel_names(SMALL)[:-1], "F1-X3"])
     far = SCENE.recording(replace(ASKED[0], frames=20))
     far.counts[:, 3, 1] = 70000
-    with played_board(channels_of(SMALL)) as board:
+    with played_board(channel_names(SMALL)) as board:
         board.show(far)
         source = Board(SMALL, serial_chunks(board.port), board.port)
         with pytest.raises(InputError, match="70000 counts for F2-Y2"):
@@ -197,37 +196,3 @@ def test_journals_of_other_objects_and_damaged_ones_are_refused(tmp_path):
 def test_bad_inputs_give_one_clear_error(tmp_path, arguments, words):
     (tmp_path / "small.toml").write_text(SMALL_TEXT)
     assert_one_clear_error(run("bench", "bringup", "small.toml", *arguments, cwd=tmp_path), *words)
-
-
-def test_a_replay_takes_every_further_hold_and_again_asks_one_anew(tmp_path):
-    recorded = open_journal(tmp_path / "recorded.csv", SMALL)
-    further = [further_holds(SMALL)[number] for number in (14, 3)]
-    for asked in (*ASKED[:3], *further):
-        recorded.append(SCENE.recording(replace(asked, frames=20)))
-    journal = open_journal(tmp_path / "bringup.csv", SMALL)
-    ask_questions(SMALL, FromFile(read_journal(recorded.path, SMALL)), journal, set())
-    assert list(journal.recordings) == [asked.name for asked in (*ASKED[:3], *further)]
-    page = bringup_page(SMALL, journal.recordings, set(), judge(SMALL, {}), [])
-    assert "4 of 12" in page
-    del journal.recordings[further[1].name]
-    ask_questions(SMALL, FromFile(recorded), journal, {further[1].name})
-    assert further[1].name in journal.recordings
-
-
-def test_a_further_hold_is_asked_for_before_the_second_still_recording_and_may_be_skipped(
-    tmp_path,
-):
-    names = [hold.name for hold in further_holds(SMALL)[10:12]]
-    journal, asked = open_journal(tmp_path / "bringup.csv", SMALL), []
-    source = Simulated(SCENE)
-    source.answer = lambda question, allowed: asked.append(question) or "s"
-    source.further = lambda spec, journal: next(
-        (h for h in further_holds(spec) if h.name in names and h.name not in journal.skipped), None
-    )
-    ask_questions(SMALL, source, journal, set())
-    place = [k for k, text in enumerate(asked) if "further hold" in text]
-    assert place == [11, 12]
-    assert "half way along its surface" in asked[11]
-    assert "half a metre away and touch nothing" in asked[13]
-    assert set(names) <= journal.skipped
-    assert len(asked) == len(ASKED) + 2

@@ -13,9 +13,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from design.errors import InputError
+from design.errors import InputError, StoreError
 from design.spec.object import ObjectSpec
-from estimator.inversion.storage import save_inversion
 from estimator.recordings.boards import link
 from estimator.recordings.boards.lines import (
     Frame,
@@ -34,10 +33,10 @@ from instobj.bench.live.command import live, run_live
 from instobj.bench.live.contacts import open_estimator
 from instobj.bench.live.page import PageSettings, serve_page
 from instobj.bench.live.source import LiveOptions, LiveSource, data_set_table
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.commands.readings import Zeroing
 from instobj.store.progress import ProgressLine
-from tests.support.mechanics.inverted import inverted, labelled_frames
+from tests.support.mechanics.inverted import labelled_frames
 from tests.support.recordings.dummy_board import dummy_board
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
@@ -52,7 +51,7 @@ UPGRADE = (
 def source_of(port, out):
     readings = CollectOptions(out, port, cells=1, tips=1, zero_frames=5)
     zeroing = Zeroing("first", 5)
-    return LiveSource(SPEC, b"scene", port, serial_chunks(port), readings, (), zeroing)
+    return LiveSource(SPEC, b"scene", port, serial_chunks(port), readings, None, zeroing)
 
 
 def numbered(k):
@@ -120,7 +119,7 @@ def test_the_battery_of_a_wireless_object_is_said(tmp_path):
 class Failing:
     """An estimator whose runtime fails."""
 
-    needs_every_frame, channels, presses = True, (), None
+    channels, presses = (), None
 
     def feed(self, raw_counts, time_s, left_out):
         raise RuntimeError("no kernel image")
@@ -211,9 +210,9 @@ def test_what_cannot_be_shown(tmp_path, given, words):
 def test_a_model_that_is_not_there_is_told_before_anything_is_opened_or_built(tmp_path):
     (tmp_path / "cube.toml").write_text('name = "cube"\n', encoding="utf-8")
     readings = CollectOptions(tmp_path / "x", port="/dev/nothing")
-    missing = (tmp_path / "nope.onnx",)
-    with pytest.raises(InputError, match=r"no model at .*nope\.onnx"):
-        live(LiveOptions(tmp_path / "cube.toml", readings, models=missing))
+    missing = tmp_path / "nope.nc"
+    with pytest.raises(InputError, match=r"no model at .*nope\.nc"):
+        live(LiveOptions(tmp_path / "cube.toml", readings, model=missing))
 
 
 @pytest.mark.parametrize("wrong", ["port", "load_port"])
@@ -237,14 +236,12 @@ def test_only_other_addresses_have_a_token(tmp_path):
     assert far.token != far.token
 
 
-def test_models_that_do_not_fit_are_told(tmp_path):
-    for models, words in (
-        ((tmp_path / "no.onnx",), "no model at"),
-        ((tmp_path / "a.nc", tmp_path / "b.onnx"), "no model at"),
-    ):
-        with pytest.raises(InputError, match=words):
-            open_estimator(SPEC, models, "rest", 8)
-    assert open_estimator(SPEC, (), "rest", 8) is None
+def test_a_file_that_is_no_estimator_is_told(tmp_path):
+    network = tmp_path / "face_1.onnx"
+    network.write_bytes(b"network")
+    with pytest.raises((InputError, StoreError), match="face_1"):
+        open_estimator(SPEC, network, "rest", 8)
+    assert open_estimator(SPEC, None, "rest", 8) is None
 
 
 def test_another_objects_board_is_refused(tmp_path):
@@ -271,37 +268,3 @@ def test_the_last_line_tells_the_rate_at_which_frames_came(tmp_path):
     assert told["frames"] == 300
     rate = int(re.search(r"frames at (\d+)/s", told["texts"][0])[1])
     assert 180 <= rate <= 210
-
-
-def shown_in(target, port, models, folder):
-    """What `bench live` tells of 5 s of a board whose contacts go to `target`."""
-    source = replace(source_of(port, folder / "a.csv"), spec=inverted().model.spec, models=models)
-    options = LiveOptions(None, source.readings, models, foxglove=target, seconds=5.0)
-    return run_live(source, options, "", ProgressLine())
-
-
-def test_contacts_go_to_a_file_of_foxglove_in_place_of_the_page(tmp_path):
-    mcap, rng = pytest.importorskip("mcap.reader"), np.random.default_rng(0)
-    save_inversion(inverted(), tmp_path / "contacts.nc")
-
-    def resting(k):
-        return encode_frame(k, 10 * k, np.round(300 + rng.normal(0, 5, 45)).tolist())
-
-    names = tuple(channel_names(inverted().model.spec))
-    with dummy_board(resting, channels=names) as port:
-        shown_in(tmp_path / "live.mcap", port, (tmp_path / "contacts.nc",), tmp_path)
-    with (tmp_path / "live.mcap").open("rb") as file:
-        sent = list(mcap.make_reader(file).iter_messages())
-    assert {channel.topic for _, channel, _ in sent} >= {
-        *("/instobj/contacts", "/instobj/wrench", "/instobj/scene", "/instobj/heatmap_1")
-    }
-    stamps = [m.log_time for _, channel, m in sent if channel.topic == "/instobj/contacts"]
-    assert len(stamps) > 10
-    assert np.all(np.diff(stamps) > 0)
-    # stamps follow the board's clock, which may run some hundredths of a second ahead
-    assert -1 < time.time() - stamps[-1] / 1e9 < 60
-
-
-def test_foxglove_without_an_estimator_is_one_error(tmp_path):
-    with dummy_board() as port, pytest.raises(InputError, match="Give --model"):
-        shown_in(tmp_path / "live.mcap", port, (), tmp_path)

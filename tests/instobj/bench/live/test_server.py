@@ -8,11 +8,12 @@ import pytest
 from aiohttp import ClientSession, WSServerHandshakeError, web
 
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from instobj.bench.live import server
 from instobj.bench.live.contacts import Found
 from instobj.bench.live.protocol import read_frames_message
 from instobj.bench.live.server import Page, application
-from instobj.bench.live.watch import Reading, Watch, channel_names
+from instobj.bench.live.watch import Reading, Watch
 from instobj.viewer.served import is_loopback
 
 SPEC = ObjectSpec(name="cube")

@@ -13,11 +13,12 @@ from aiohttp import web
 from PIL import Image
 
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from instobj.bench.live.contacts import Found, placed_contact
 from instobj.bench.live.page import call_within, read_frames
 from instobj.bench.live.scene import live_scene
 from instobj.bench.live.server import Page, application
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from tests.support.browser import Browser, chromium
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
@@ -29,7 +30,7 @@ CONTACT = (216, 27, 154)
 class Sliding:
     """A contact of 6 N that slides over face 3, and one of 5 N on face 5, behind the object."""
 
-    needs_every_frame, channels, presses = False, (), None
+    channels, presses = (), None
 
     def feed(self, raw_counts, time_s, left_out):
         places = ((3, 8 * np.sin(3 * time_s), 4.0), 6.0), ((5, 0.0, 0.0), 5.0)

@@ -8,11 +8,12 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.calibration.resting import channel_names
 from estimator.grasps.measures import conditions_of, measured_grasps
 from estimator.inversion.condition import object_condition
 from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.bench.live.health import DRIFTING, GOOD
-from instobj.bench.live.watch import Watch, channel_names
+from instobj.bench.live.watch import Watch
 from instobj.commands.assess.groups import with_ends
 from instobj.commands.assess.sentences import answer_text
 from tests.estimator.grasps.grasps_by_hand import joined, squeeze
@@ -27,8 +28,8 @@ class Told:
 
     channels, presses = (), None
 
-    def __init__(self, needs_every_frame):
-        self.needs_every_frame, self.seen, self.passed, self.zeroed = needs_every_frame, [], [], 0
+    def __init__(self):
+        self.seen, self.passed, self.zeroed = [], [], 0
 
     def feed(self, raw_counts, time_s, left_out=None):
         self.seen.append(time_s)
@@ -99,19 +100,17 @@ def test_a_viewer_far_behind_gets_the_newest_and_the_number_of_the_others():
     assert watch.rows_after(1000, 400) == ([], 0)
 
 
-def test_a_slow_estimator_reads_the_newest_row_and_one_of_every_frame_all():
-    for every, expected in ((False, [9]), (True, list(range(10)))):
-        told = Told(every)
-        watch = watching(told)
-        feed(watch, range(10))
-        watch.read_next()
-        np.testing.assert_allclose(told.seen, 50.0 + np.array(expected) / 200)
-        others = [] if every else list(range(9))  # the zero sees them all the same
-        np.testing.assert_allclose(told.passed, 50.0 + np.array(others) / 200)
+def test_a_slow_estimator_reads_the_newest_row_and_its_zero_sees_the_others():
+    told = Told()
+    watch = watching(told)
+    feed(watch, range(10))
+    watch.read_next()
+    np.testing.assert_allclose(told.seen, [50.0 + 9 / 200])
+    np.testing.assert_allclose(told.passed, 50.0 + np.arange(9) / 200)
 
 
 def test_contacts_stand_on_the_body_and_push_inwards():
-    watch = watching(Told(False))
+    watch = watching(Told())
     feed(watch, [600.0] * 6)
     watch.read_next()
     (row,) = watch.reading.read.contacts
@@ -124,10 +123,8 @@ def test_contacts_stand_on_the_body_and_push_inwards():
 class Squeezed(Told):
     """Reads a hand-made grasp, a frame of it for each row."""
 
-    method = "inversion"
-
     def __init__(self, track):
-        super().__init__(True)
+        super().__init__()
         self.track = track
 
     def feed(self, raw_counts, time_s, left_out=None):
@@ -174,7 +171,7 @@ def test_a_grasp_that_cannot_be_measured_is_said_and_reading_goes_on():
 
 
 def test_a_chip_that_stands_still_is_left_out_and_told():
-    reader = Told(True)
+    reader = Told()
     watch, rng = watching(reader), np.random.default_rng(0)
     noise = rng.normal(0, 20, (40, len(NAMES))).round()
     noise[20:, :3] = noise[20, :3]
@@ -188,7 +185,7 @@ def test_a_chip_that_stands_still_is_left_out_and_told():
 
 def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):
     monkeypatch.setattr("instobj.bench.live.watch.AGAIN_S", 0.0)
-    watch = watching(Told(False))
+    watch = watching(Told())
     feed(watch, [600.0])
     watch.read_next()
     silent = LEVEL.copy()
@@ -213,7 +210,7 @@ def played(watch, values, start_s):
 
 
 def test_drift_is_the_change_between_rests_and_a_press_is_none():
-    watch = watching(Told(False))
+    watch = watching(Told())
     assert played(watch, [0.0] * 60, 100.0)["health"] == [GOOD] * 45
     played(watch, [900.0] * 60, 103.0)
     assert DRIFTING not in watch.state()["health"]
@@ -226,7 +223,7 @@ def test_drift_is_the_change_between_rests_and_a_press_is_none():
 
 
 def test_a_zero_taken_under_a_press_heals_at_the_first_rest():
-    watch = watching(Told(False))
+    watch = watching(Told())
     played(watch, [900.0] * 20, 100.0)
     state = played(watch, [0.0] * 60, 101.0)
     assert state["health"] == [GOOD] * 45
@@ -234,7 +231,7 @@ def test_a_zero_taken_under_a_press_heals_at_the_first_rest():
 
 
 def test_the_zero_button_reaches_the_estimator_between_two_frames():
-    told = Told(False)
+    told = Told()
     watch = watching(told)
     feed(watch, range(6))
     watch.rezero()
@@ -267,7 +264,7 @@ def test_rows_come_in_while_viewers_ask():
 
 def test_what_was_not_read_is_no_rest():
     """An estimator that hangs for two seconds of a press does not make its level the zero."""
-    watch = watching(Told(False))
+    watch = watching(Told())
     played(watch, [0.0] * 60, 100.0)
     feed(watch, [900.0] * 40, 103.0)
     for number in range(8):
@@ -283,7 +280,7 @@ def test_what_was_not_read_is_no_rest():
 
 
 def test_a_chip_that_contacts_are_read_without_is_told():
-    told = Told(False)
+    told = Told()
     told.feed = lambda *_: Found(np.zeros((0, 15)), True, "F3-2")
     watch = watching(told)
     feed(watch, range(6))
@@ -293,7 +290,7 @@ def test_a_chip_that_contacts_are_read_without_is_told():
 
 def test_a_slipped_core_is_named_with_what_to_do():
     slipped = object_condition(0.0, slip_mm=0.07)
-    reader = Told(False)
+    reader = Told()
     reader.feed = lambda *_: Found(np.zeros((0, 15)), True, condition=slipped)
     watch = watching(reader)
     assert watch.state()["condition"] == "fine"

@@ -1,13 +1,11 @@
 """The questions of a bring-up, in order: names, frames and poses of the small object."""
 
-import numpy as np
 import pytest
 
 from design.errors import InputError
 from instobj.bench.bringup.asking.asked import (
     POSES,
     asked_of,
-    further_holds,
     magnet_names,
     require_bringup,
 )
@@ -47,7 +45,6 @@ def test_recordings_last_as_long_as_their_step_needs_and_ten_frames_at_least():
     }
     for one in asked_of(SMALL):
         assert one.frames == round(seconds[one.step] * RATE_HZ)
-    assert {one.frames for one in further_holds(SMALL)} == {round(10 * RATE_HZ)}
     slow = SMALL.changed(sensors=SMALL.sensors.changed(frame_rate_hz=2.0))
     assert [one.frames for one in asked_of(slow)[:2]] == [20, 10]
 
@@ -61,10 +58,6 @@ def test_questions_name_places_and_poses():
         "with its +z up and its +x pointing away from you again, as at first;" in asked["earth 7"]
     )
     assert len(set(POSES)) == 6
-    further = {one.name: one.question for one in further_holds(SMALL)}
-    assert further["held F1-S1 again"] == asked["held F1-S1"]
-    assert further["held F1-S1 F1-S2"].startswith("Hold the magnet about 6 mm above face 1")
-    assert [one.part for one in further_holds(SMALL)] == list(range(len(further)))
 
 
 def test_objects_that_a_bring_up_does_not_serve_are_refused():
@@ -74,18 +67,6 @@ def test_objects_that_a_bring_up_does_not_serve_are_refused():
     ):
         with pytest.raises(InputError):
             require_bringup(SMALL.model_validate({"name": "other", **changed}))
-
-
-def test_every_further_hold_is_over_a_chip_or_between_two():
-    names = [
-        one.name.removeprefix("held ").removesuffix(" again").split()
-        for one in further_holds(SMALL)
-    ]
-    assert names[:10] == [[name] for name in CHIPS]
-    pairs = names[10:]
-    assert all(len(pair) == 2 for pair in pairs)
-    assert len({tuple(pair) for pair in pairs}) == len(pairs)
-    assert np.all([CHIPS.index(a) < CHIPS.index(b) for a, b in pairs])
 
 
 def test_a_magnet_of_several_grades_is_asked_for_by_its_grade():

@@ -6,10 +6,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
+from design.layout.body import core_frames
 from design.layout.places.positions import sensor_layout
 from estimator.field.sources import magnet_source
-from instobj.bench.bringup.asking.held_magnet import held_magnet, stated_pose
-from instobj.bench.bringup.asking.hold_places import hold_places
+from instobj.bench.bringup.asking.held_magnet import held_magnet, hold_places, stated_pose
 from tests.support.new_objects import SMALL
 
 HOLD = 5
@@ -18,10 +18,11 @@ POSE = np.array([[1.0, -2.0, 3.0, 0.2, -0.1, 5.0, -7.0, 11.0]])
 
 
 def test_counts_are_those_of_magpylibs_disk_and_a_uniform_field():
-    held, place, layout = held_magnet(SMALL, [HOLD]), hold_places(SMALL)[HOLD], sensor_layout(SMALL)
+    held, layout = held_magnet(SMALL, [HOLD]), sensor_layout(SMALL)
     disk = magnet_source(SMALL.magnets)
-    x, y, n = place.axes.T
-    centre = place.stated_mm + 1.0 * x - 2.0 * y + 3.0 * n
+    stated_mm, axes = (of_all[HOLD] for of_all in hold_places(SMALL))
+    x, y, n = axes.T
+    centre = stated_mm + 1.0 * x - 2.0 * y + 3.0 * n
     assert_allclose(held.centre_mm(POSE)[0], centre)
     axis = Rotation.from_rotvec(0.2 * x - 0.1 * y).apply(-n)
     assert_allclose(held.axis(POSE)[0], axis, atol=1e-12)
@@ -40,16 +41,19 @@ def test_counts_are_those_of_magpylibs_disk_and_a_uniform_field():
 
 
 def test_a_magnet_stays_half_a_millimetre_and_half_its_height_above_the_core():
-    held, place = held_magnet(SMALL, [HOLD]), hold_places(SMALL)[HOLD]
+    held = held_magnet(SMALL, [HOLD])
+    stated_mm, axes = (of_all[HOLD] for of_all in hold_places(SMALL))
+    foot_mm = stated_mm - 10.0 * axes[:, 2]
     deep = stated_pose(1)
     deep[0, 2] = -50.0
     least = 0.5 + SMALL.magnets.height_mm / 2
-    height = (held.centre_mm(deep)[0] - place.foot_mm) @ place.axes[:, 2]
+    height = (held.centre_mm(deep)[0] - foot_mm) @ axes[:, 2]
     assert height == pytest.approx(least)
     assert deep[0, 2] == -50.0
     stated = held.centre_mm(stated_pose(1))[0]
-    assert_allclose(stated, place.stated_mm)
-    assert (stated - place.foot_mm) @ place.axes[:, 2] == pytest.approx(10.0)
+    assert_allclose(stated, stated_mm)
+    (face,) = [frame for frame in core_frames(SMALL) if frame.number == 3]
+    assert (stated - face.centre_mm) @ face.normal == pytest.approx(10.0)
 
 
 def test_a_hand_is_off_by_six_millimetres_half_a_radian_and_earths_field():

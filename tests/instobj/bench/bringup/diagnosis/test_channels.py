@@ -214,11 +214,10 @@ def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs
     near[:, :, 1] = [[2.0, 7.0], [0.0, 2.0]]  # of two chips: (2 + 1)(2 + 1) against (7 + 1)(0 + 1)
     two = channels.HeldReadings(near, np.ones((2, 2, 3)), 0.05, 0.2)
     assert channels.sites_by_response(two, [0, 1]).tolist() == [0, 1]
-    assert channels.sites_by_response(two, [2, 1]).tolist() == [0, 1]
     near[0, 1, 1] = 9.0
     assert channels.sites_by_response(two, [0, 1]).tolist() == [1, 0]
     nothing = replace(readings, counts=np.full((2, 4, 3), np.nan))
-    assert channels.sites_by_response(nothing, [2, 9]).tolist() == [0, 1, 2, 3]
+    assert channels.sites_by_response(nothing, [2, 3]).tolist() == [0, 1, 2, 3]
 
 
 def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
@@ -267,7 +266,6 @@ def test_gains_stand_over_their_median_and_intervals_are_of_differences_to_the_m
     chip = np.sqrt(0.01 * (3 * (1 / 3 - 0.25) ** 2 + 0.25**2))
     wanted = 1.96 * np.array([[axis] * 3 + [chip], [axis, np.nan, np.nan, axis]]) / middle
     assert_allclose(interval, wanted)
-    assert_allclose(chip_fit.gain_intervals(matrix, 0.01 * np.eye(18), known), wanted[:, 3])
 
 
 def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
