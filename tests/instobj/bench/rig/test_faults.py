@@ -544,7 +544,7 @@ AT_MARLIN = {
         *("another header while stopping", "reset in a press", "reset to zero, unlocked"),
         *("reset while stopping", "reset to zero while stopping", "alarm in a press", "ok late"),
         *("deaf machine", "silent machine", "position frozen", "line fails while stopping"),
-        *("Ctrl-C in a press", "Ctrl-C while stopping", "the lifting line lost", "an axis stuck"),
+        *("Ctrl-C in a press", "Ctrl-C while stopping", "the lifting line lost"),
         *("ok lost in a press", "ok lost on its way down"),
     )
 } | {
