@@ -25,9 +25,6 @@ from tests.random_designs.openings import (
     thin_covers,
 )
 
-pytestmark = pytest.mark.slow
-"""Of a judge that nothing but a study of random designs asks; its parts take 10 s."""
-
 BALL = {
     "name": "ball",
     "body": {"kind": "sphere", "size_mm": [50.0, 50.0, 50.0], "sensed_faces": [1, 3]},
