@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from instobj.cli.app import run_command
-from instobj.cli.options import HERE, AsJson, Out, Overrides, Recordings, Spec, show
+from instobj.cli.options import HERE, AsJson, Out, Overrides, Spec, show
 from studies.registry import run_study, studies
 
 app = typer.Typer(
@@ -37,33 +37,6 @@ def _add_study(name: str, purpose: str) -> None:
 
 for _study in studies().values():
     _add_study(_study.name, _study.help)
-
-
-@app.command()
-def interfaces(
-    spec: Spec,
-    recordings: Recordings,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Bonded, frictionless or friction at the core: what each predicts of recorded presses."""
-    from studies.recorded.interfaces import interfaces_on
-
-    show(interfaces_on(spec, recordings, out, overrides or []), as_json)
-
-
-@app.command()
-def cycles(
-    recording: Annotated[
-        Path, typer.Argument(help="Folder with sensor.csv and states.csv, or a log.")
-    ],
-    as_json: AsJson = False,
-) -> None:
-    """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
-    from studies.recorded.cycles import cycles_in
-
-    show(cycles_in(recording), as_json)
 
 
 @app.command()

@@ -23,9 +23,7 @@ COMMANDS = {
     "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
-    "interfaces": "python -m studies interfaces, in a checkout of the repository",
     "conventions": "instobj adopt RECORDING --spec SPEC (order and axes of chips)",
-    "cycles": "python -m studies cycles, in a checkout of the repository",
 }
 """Command before 0.2.0, or an option that is asked for as one → what to write."""
 

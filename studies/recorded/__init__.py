@@ -1,1 +1,1 @@
-"""Questions about one recording, each answered once: conventions, the core's interface, cycles, places."""
+"""Questions about one recording, each answered once: places and rest offsets."""

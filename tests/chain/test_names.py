@@ -42,7 +42,7 @@ def undefined_names(source):
 
 
 @pytest.mark.parametrize(
-    "package", ["design", "fem", "estimator", "instobj", "benchmarks", "studies", "tests"]
+    "package", ["design", "fem", "estimator", "instobj", "benchmarks", "studies"]
 )
 def test_no_function_uses_a_name_that_does_not_exist(package):
     missing = {

@@ -121,7 +121,7 @@ def test_the_blocks_of_python_of_a_page_run(block, folder, monkeypatch):
     [
         "import instobj\ninstobj.nosuch()",
         "import instobj\nx = instobj.fit_estimator('a', no_such_option=3)",
-        "from fem.loose_core.press import no_such_name",
+        "from fem.presses.joint import no_such_name",
         "import instobj\ninstobj.ObjectSpec(name='x').shell.no_such_key",
     ],
 )

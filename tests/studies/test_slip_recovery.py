@@ -29,19 +29,15 @@ def made():
     )
 
 
-@pytest.mark.parametrize("fault", ["none", "channels in another order"])
-def test_the_slip_of_a_twin_is_found_from_its_rest(made, fault):
+def test_the_slip_of_a_twin_is_found_from_its_rest(made):
     spec, _, before, after = made
     change = after.baseline_counts - before.baseline_counts
-    if fault != "none":
-        change = np.roll(change, 3, axis=0)
     change = change + np.random.default_rng(0).normal(0, 14, change.shape)
     change[4, 1] = np.nan
     found = slip_from_rest(spec, change, 14.0)
-    near = np.abs(np.subtract(found.shift_mm, SLIP.shift_mm)).max() < 0.2
-    near &= np.abs(np.subtract(found.rotation_deg, SLIP.rotation_deg)).max() < 1.0
-    assert near == (fault == "none")
-    assert (found.left < 0.35) == (fault == "none")
+    assert_allclose(found.shift_mm, SLIP.shift_mm, rtol=0, atol=0.2)
+    assert_allclose(found.rotation_deg, SLIP.rotation_deg, rtol=0, atol=1.0)
+    assert found.left < 0.35
 
 
 def test_no_slip_is_found_where_there_is_none(made):
@@ -52,19 +48,18 @@ def test_no_slip_is_found_where_there_is_none(made):
     assert_allclose(found.rotation_deg, 0.0, atol=0.3)
 
 
-@pytest.mark.parametrize("fault", ["none", "before and after exchanged"])
-def test_frames_carried_over_are_those_after_the_slip(made, fault):
+def test_frames_carried_over_are_those_after_the_slip(made):
     spec, presses, before, after = made
     frames, wanted = (simulate_presses(spec, signals, "x") for signals in (before, after))
     design = designed(spec)
     expected = [twin_signals(spec, one, *presses) for one in (design, SLIP.applied(design))]
-    moved = carried_over(frames, *(expected if fault == "none" else expected[::-1]))
+    moved = carried_over(frames, *expected)
     pressed = frames.contact_face[:, 0] > 0
 
     def off(one):
         return np.sqrt(np.mean((one.signal_counts - wanted.signal_counts)[pressed] ** 2))
 
-    assert (off(moved) < 0.4 * off(frames)) == (fault == "none")
+    assert off(moved) < 0.4 * off(frames)
     assert_allclose(moved.signal_counts[~pressed], frames.signal_counts[~pressed])
 
 

@@ -346,7 +346,7 @@ def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
     [
         (0.001, {"body.scale": "1000"}),
         pytest.param(1 / 25.4, {"body.scale": "25.4"}, marks=pytest.mark.slow),
-        (2.0, {"body.scale": "0.5"}),
+        pytest.param(2.0, {"body.scale": "0.5"}, marks=pytest.mark.slow),
     ],
 )
 def test_a_body_in_another_unit_is_the_same_body(tmp_path, factor, overrides):

@@ -44,7 +44,7 @@ def manifolds(spec):
     )
 
 
-@pytest.mark.parametrize("name", ["sphere", "capsule", "ellipsoid"])
+@pytest.mark.parametrize("name", ["capsule", "ellipsoid"])
 def test_a_post_through_the_bore_carries_the_core_and_keeps_it_from_turning(name):
     spec = body_spec(name, **({"body": BORED} if name == "ellipsoid" else {}))
     jig, core = manifolds(spec)

@@ -9,14 +9,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.spec.object import ObjectSpec
 from estimator.calibration import recorded_presses, validation
-from estimator.calibration.recorded_presses import (
-    MODULUS_RATIOS,
-    PredictedMotions,
-    RecordedPresses,
-)
+from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
 from estimator.calibration.twin import grasp_twin
-from fem.presses.joint import JointPress, Tip
-from studies.recorded import interface_fits as interfaces
 from tests.support.recordings.frame_sets import frame_set
 
 SPEC = ObjectSpec(name="cube")
@@ -214,37 +208,3 @@ def test_what_a_size_leaves_over_grows_with_the_levels_of_a_case():
     left_over = grasp_twin.left_over_of.__wrapped__(seen_cases(), 0.1)
     assert_allclose(left_over.variance[0], 0.25 + 2 * 0.01 * np.array([25, 25, 0.25, 25]))
     assert_allclose(left_over.weighed(left_over.variance[..., None] * 3), 3.0)
-
-
-def curve(*newtons):
-    """Joint presses of faces 2 and 4 whose two bodies move as the square of the force."""
-    found = []
-    for newton in newtons:
-        press = object.__new__(JointPress)
-        press.__dict__.update(
-            tips=(Tip(2, 0.0, 0.0), Tip(4, 0.0, 0.0)),
-            force_n=np.array([newton, newton]),
-            motion=newton**2 * np.arange(12.0).reshape(2, 6),
-        )
-        found.append(press)
-    return tuple(found)
-
-
-def test_motions_on_a_curve_are_straight_between_its_forces_and_in_proportion_beyond():
-    """Two presses at 3 N and one at 10 N on each of the faces 2 and 4, and one on face 2 alone."""
-    force = np.zeros((3, 6))
-    force[0, [1, 3]], force[1, [1, 3]], force[2, 1] = 3.0, 10.0, 3.0
-
-    presses = RecordedPresses(
-        np.zeros((3, 6)), force, np.zeros(3, int), np.zeros(3, int), np.full(3, 9),
-        (((2, 0.0, 0.0), (4, 0.0, 0.0)),), np.ones(3),
-    )  # fmt: skip
-    assert_allclose(interfaces.mean_force_n(presses), [3, 10, 3])
-    found = interfaces.motions_on_curves.__wrapped__(presses, [curve(1.0, 2.0, 4.0)])
-    unit = np.arange(12.0).reshape(2, 6)
-    for ratio, modulus in enumerate(MODULUS_RATIOS):
-        for press, newton in ((0, 3 / modulus), (1, 10 / modulus)):
-            wanted = np.interp(newton, [0, 1, 2, 4], [0, 1, 4, 16]) * max(newton / 4, 1.0)
-            assert_allclose(found.motion[press, 0, ratio], wanted * unit, rtol=1e-9)
-            assert found.beyond[press, 0, ratio] == (newton > 4)
-    assert np.isnan(found.motion[2]).all()

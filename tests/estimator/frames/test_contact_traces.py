@@ -41,8 +41,7 @@ def test_a_squeeze_from_a_warm_start_is_the_same(response):
         assert_allclose(press.depth_mm, cold.depth_mm, rtol=1e-4)
 
 
-@pytest.mark.parametrize("fault", ["none", "one depth for both faces"])
-def test_each_face_is_corrected_with_its_own_depth(response, fault):
+def test_each_face_is_corrected_with_its_own_depth(response):
     """F (1 + x a) and ω (1 + e x), with x the depth of the face over the shell's thickness."""
     path = press_path(SPEC, response, TIPS, DEPTHS)
     force = np.stack([press.force_n for press in path])
@@ -51,14 +50,11 @@ def test_each_face_is_corrected_with_its_own_depth(response, fault):
     correction = StrainCorrection(8.0, (0.4, 0.0), (0.0, 0.0), (0.3,))
     found, moved = corrected_joint(SPEC, faces, DEPTHS, force, motion, correction)
     deepest = np.stack([DEPTHS[:, :2].max(axis=1)] * 2 + [DEPTHS[:, 2]], axis=1)
-    if fault == "one depth for both faces":
-        deepest[:, 2] = deepest[:, 0]
-    assert np.allclose(found, force * (1 + 0.4 * deepest / 8), rtol=1e-12) == (fault == "none")
+    assert_allclose(found, force * (1 + 0.4 * deepest / 8), rtol=1e-12)
     owner = np.asarray(shell_body_layout(SPEC).face)
     for face, depth in ((2, deepest[:, 0]), (3, deepest[:, 2])):
         expected = motion[:, owner == face, 3:] * (1 + 0.3 * depth / 8)[:, None, None]
-        matches = np.allclose(moved[:, owner == face, 3:], expected, rtol=1e-12)
-        assert matches == (fault == "none" or face == 2)
+        assert_allclose(moved[:, owner == face, 3:], expected, rtol=1e-12)
     assert_allclose(moved[..., :3], motion[..., :3], rtol=1e-12)
     assert {frame.number for frame in face_frames(SPEC)} >= {2, 3}
 

@@ -3,7 +3,6 @@
 import re
 
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import SensorSpec
@@ -30,35 +29,21 @@ def test_disturbances_add_zeroing_or_drift_in_quadrature():
     assert drifted.shape == (45,)
 
 
-@pytest.mark.parametrize(
-    ("fault", "attained"),
-    [
-        (lambda jacobian, sigma: (jacobian, sigma), True),
-        (lambda jacobian, sigma: (jacobian, sigma**2), False),
-        (lambda jacobian, sigma: (2 * jacobian, sigma), False),
-        (lambda jacobian, sigma: (jacobian[:, :, [2, 0, 1]], sigma), False),
-        (lambda jacobian, sigma: (jacobian, np.roll(sigma, 1)), False),
-    ],
-    ids=["none", "variance for deviation", "factor two", "parameters permuted", "axes shifted"],
-)
-def test_bound_is_attained_by_maximum_likelihood_on_a_linear_sensor(fault, attained):
+def test_bound_is_attained_by_maximum_likelihood_on_a_linear_sensor():
     jacobian, truth = random_jacobian()[0], np.array([1.3, -0.4, 6.0])
     rng = np.random.default_rng(2)
     frames = jacobian @ truth + rng.standard_normal((20000, 9)) * SIGMA
     whitened = jacobian / SIGMA[:, None]
     estimate = np.linalg.lstsq(whitened, (frames / SIGMA).T, rcond=None)[0].T
     error = estimate - truth
-    bounds = cramer_rao_bounds(*fault(jacobian[None], SIGMA))
+    bounds = cramer_rao_bounds(jacobian[None], SIGMA)
     position = np.sqrt(np.mean(error[:, 0] ** 2 + error[:, 1] ** 2))
-    matches = np.allclose(
-        [bounds.position_mm[0], bounds.force_n[0]], [position, error[:, 2].std()], rtol=0.02
-    )
-    assert matches is attained
-    if attained:
-        angle = np.linspace(0, np.pi, 181)
-        spread = (error[:, :2] @ [np.cos(angle), np.sin(angle)]).std(axis=0)
-        u = np.array([np.cos(angle), np.sin(angle)])[:, np.argmax(spread)]
-        assert abs(u @ bounds.weakest_direction[0]) > 0.999
+    found = [bounds.position_mm[0], bounds.force_n[0]]
+    assert_allclose(found, [position, error[:, 2].std()], rtol=0.02)
+    angle = np.linspace(0, np.pi, 181)
+    spread = (error[:, :2] @ [np.cos(angle), np.sin(angle)]).std(axis=0)
+    u = np.array([np.cos(angle), np.sin(angle)])[:, np.argmax(spread)]
+    assert abs(u @ bounds.weakest_direction[0]) > 0.999
 
 
 def test_bounds_do_not_depend_on_how_the_plane_is_turned_and_scale_with_units():

@@ -56,18 +56,7 @@ def signals(presses):
     return press_signals(SPEC, *presses)
 
 
-@pytest.mark.parametrize(
-    ("fault", "agrees"),
-    [
-        (lambda slope: slope, True),
-        (lambda slope: -slope, False),
-        (lambda slope: slope[:, :, :, ::-1], False),
-        (lambda slope: slope[..., ::-1], False),
-        (lambda slope: 2 * slope, False),
-    ],
-    ids=["none", "sign", "tangents swapped", "chip axes swapped", "factor two"],
-)
-def test_slopes_are_those_of_presses_simulated_with_a_small_pull(presses, shear, fault, agrees):
+def test_slopes_are_those_of_presses_simulated_with_a_small_pull(presses, shear):
     forces, motions = presses
     places, pull = grid_places_in_lattice(SPEC), 0.5 * np.array([0.3, -0.2])
     grid_motion = motions.motion[:, places]
@@ -79,10 +68,10 @@ def test_slopes_are_those_of_presses_simulated_with_a_small_pull(presses, shear,
         for side in (1, -1)
     ]
     expected = (ends[0] - ends[1]) / 2
-    found = np.einsum("fpstjc,t->fpsjc", fault(shear.counts_per_n), pull)
+    found = np.einsum("fpstjc,t->fpsjc", shear.counts_per_n, pull)
     scale = abs(expected).max()
     assert scale > 1
-    assert np.allclose(found, expected, rtol=0, atol=2e-3 * scale) is agrees
+    assert_allclose(found, expected, rtol=0, atol=2e-3 * scale)
 
 
 def test_jacobian_holds_the_normal_one_and_the_slopes_at_the_score_force(signals, shear):

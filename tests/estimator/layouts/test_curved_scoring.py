@@ -71,7 +71,10 @@ def worst_error(spec, motions, face):
     return worst
 
 
-@pytest.mark.parametrize(("body", "face"), BODIES.items())
+@pytest.mark.parametrize(
+    ("body", "face"),
+    [pytest.param("cylinder", 2, marks=pytest.mark.slow), ("ellipsoid", 3)],
+)
 def test_bounds_are_those_of_the_ordinary_chain(body, face):
     assert worst_error(*made(body), face) < BOUND_TOLERANCE
 

@@ -109,7 +109,9 @@ def worst_error(spec, motions, scorer):
     )
 
 
-@pytest.mark.parametrize(("body", "seed"), [("cube", 0), ("box", 1)])
+@pytest.mark.parametrize(
+    ("body", "seed"), [pytest.param("cube", 0, marks=pytest.mark.slow), ("box", 1)]
+)
 def test_bounds_are_those_of_the_ordinary_chain(body, seed):
     assert worst_error(*made(body, seed)) < BOUND_TOLERANCE
 

@@ -59,7 +59,7 @@ def motions_in_even_strain(spec, share):
     return strained, at_contacts(spec, size)
 
 
-@pytest.mark.parametrize("share", [0.0, 0.64])
+@pytest.mark.parametrize("share", [pytest.param(0.0, marks=pytest.mark.slow), 0.64])
 def test_in_even_strain_a_tilted_magnet_turns_by_jefferys_law(spec, share):
     motions, size = motions_in_even_strain(spec, share)
     presses = press_basis(spec, motions, FACE, dtype=torch.float64)

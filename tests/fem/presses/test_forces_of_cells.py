@@ -16,7 +16,10 @@ from tests.support.mechanics.block_cases import (
 )
 
 
-@pytest.mark.parametrize(("edge_mm", "cells", "within"), [(2.0, 3, 0.025), (1.0, 4, 0.008)])
+@pytest.mark.parametrize(
+    ("edge_mm", "cells", "within"),
+    [(2.0, 3, 0.025), pytest.param(1.0, 4, 0.008, marks=pytest.mark.slow)],
+)
 def test_a_disk_of_pressure_sinks_as_on_the_half_space(edge_mm, cells, within):
     """Mean displacement 16 p a/(3π E*) (Johnson, Contact Mechanics, 3.4), by block size 2 e₂ − e₁.
 

@@ -67,24 +67,14 @@ def _cross(arm):
     return blocks.reshape(-1, 3)
 
 
-@pytest.mark.parametrize(
-    ("fault", "agrees"),
-    [
-        (lambda motion: motion, True),
-        (lambda motion: -motion, False),
-        (lambda motion: motion[::-1], False),
-        (lambda motion: 1.01 * motion, False),
-    ],
-    ids=["none", "sign", "axes swapped", "one per cent"],
-)
 def test_motions_per_newton_equal_a_direct_solve_of_the_slipping_tip(
-    shear, slipping_tip, rigid_system, rigid_spec, coarse_mesh, direct, fault, agrees
+    shear, slipping_tip, rigid_system, rigid_spec, coarse_mesh, direct
 ):
     assert_allclose(slipping_tip.reshape(3, -1, 2).sum(axis=1), _tangents(rigid_spec), atol=1e-9)
-    found = fault(shear.motion_per_n[FACE_INDEX, PLACE, STEP])
+    found = shear.motion_per_n[FACE_INDEX, PLACE, STEP]
     scale = abs(direct).max()
     assert scale > 1e-3
-    assert np.allclose(found, direct, rtol=0, atol=1e-8 * scale) is agrees
+    assert_allclose(found, direct, rtol=0, atol=1e-8 * scale)
 
 
 @pytest.fixture(scope="module")

@@ -548,7 +548,9 @@ def test_a_noisy_scan_is_designed_smooth(tmp_path):
     assert (tmp_path / "scan.stl").read_bytes() == written
 
 
-def test_a_scan_with_deep_hollows_is_refused_with_what_works(tmp_path):
+def test_a_scan_with_deep_hollows_is_refused_with_what_works(monkeypatch, tmp_path):
+    """How deep its halves hook takes 10 s, and is computed above."""
+    monkeypatch.setattr("design.placement.hooking.least_hooked_mm", lambda request: 20.0)
     file = tin(tmp_path, lid_mm=30.0)
     with pytest.raises(InputError, match=r"up to 26 mm off the scan.*--kind ellipsoid --size"):
         new_specification("mine", tmp_path, request_of(file=file))

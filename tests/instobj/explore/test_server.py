@@ -84,13 +84,14 @@ def test_answers_are_the_engines_figures(session):
     [
         ("/judge", "{", "no JSON"),
         ("/judge", "{}", "asked wrongly"),
-        ("/judge", question(figure="colour", force_n=5.0), "asked wrongly"),
-        ("/judge", question(figure="force", force_n=7.0), "no presses to 7 N"),
-        ("/press", question(face=3, places=[900], force_n=5.0), "asked wrongly"),
+        ("/judge", {"figure": "colour", "force_n": 5.0}, "asked wrongly"),
+        ("/judge", {"figure": "force", "force_n": 7.0}, "no presses to 7 N"),
+        ("/press", {"face": 3, "places": [900], "force_n": 5.0}, "asked wrongly"),
         ("/judge", json.dumps({"design": {"body": {"kind": "box"}}}), "a design has no body"),
     ],
 )
 def test_a_wrong_question_is_answered_with_what_is_wrong(session, path, body, told):
+    body = question(**body) if isinstance(body, dict) else body
     ((status, text, _),) = ask(session, ("POST", path, {}, body))
     assert status == 400
     assert told in json.loads(text)["error"]

@@ -36,9 +36,7 @@ def spec_of(name):
     return load_spec(EXAMPLES / f"{name}.toml")
 
 
-@pytest.fixture(
-    scope="module", params=["paper_cube", "handle", "capsule", "pear", "box", "one face"]
-)
+@pytest.fixture(scope="module", params=["paper_cube", "handle", "pear", "box", "one face"])
 def drawn(request, tmp_path_factory):
     """The specification, and its overview as a figure that was drawn."""
     spec = spec_of(request.param)

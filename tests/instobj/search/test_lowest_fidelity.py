@@ -168,9 +168,8 @@ def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkey
     assert len(found) == 2 * len(structured.scoring_forces_n)
 
 
-@pytest.mark.parametrize("offset", [4.0, 60.0])
-def test_candidates_are_scored_with_the_error_of_the_zero(monkeypatch, offset):
-    spec = made_up_spec()
+def test_candidates_are_scored_with_the_error_of_the_zero(monkeypatch):
+    spec, offset = made_up_spec(), 4.0
     spec = spec.changed(sensors=spec.sensors.changed(zeroing_counts=offset, drift_counts=60.0))
     monkeypatch.setattr(
         lowest_fidelity.Run, "require", lambda run, name: SimpleNamespace(folder=name)

@@ -179,7 +179,7 @@ def test_a_written_layout_names_a_mesh_that_is_coarser_than_the_default(tmp_path
     assert load_spec(path).mesh.edge_mm == 3.0
 
 
-@pytest.mark.parametrize("example", ["ball", "handle"])
+@pytest.mark.parametrize("example", ["ball", pytest.param("handle", marks=pytest.mark.slow)])
 def test_an_empty_table_moves_magnets_and_sensors_over_the_whole_face(example):
     spec = load_spec(EXAMPLES / f"{example}.toml")
     space = require_possible(spec.changed(search=SearchSpec()))

@@ -14,6 +14,7 @@ from rich.console import Console
 from instobj.stages.table import STAGES
 from instobj.store.progress import ProgressLine
 from instobj.store.run_bar import SHORT_S, TYPICAL_S, expected_seconds, time_left
+from tests.support.cli import run
 
 DUE = [("mesh", 10.0), ("response", 80.0), ("report", 10.0)]
 
@@ -71,19 +72,21 @@ def test_work_that_is_not_due_is_named_but_not_counted():
     assert progress.bar is None
 
 
-def test_a_run_on_a_terminal_counts_its_stages_to_the_last_and_a_pipe_shows_no_bar(tmp_path):
+def test_a_run_on_a_terminal_counts_its_stages_to_the_last_and_a_pipe_shows_no_bar(
+    tmp_path, monkeypatch
+):
     coarse = "mesh = {edge_mm = 8.0, surface_edge_mm = 3.0, envelope_mm = 0.1}"
     (tmp_path / "cube.toml").write_text(f'name = "cube"\nbody = {{sensed_faces = [1]}}\n{coarse}\n')
-    command = [sys.executable, "-m", "instobj", "run", "cube.toml", "--to", "mesh"]
-    environment = os.environ | {"INSTOBJ_STORE": str(tmp_path / "store"), "COLUMNS": "120"}
-    piped = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    words = ("run", "cube.toml", "--to", "mesh")
+    piped = run(*words, cwd=tmp_path)
     assert piped.returncode == 0, piped.stderr
     assert " left" not in piped.stderr
     reader, writer = pty.openpty()
     process = subprocess.Popen(
-        command,
+        [sys.executable, "-m", "instobj", *words],
         cwd=tmp_path,
-        env=environment | {"TERM": "xterm"},
+        env=os.environ | {"COLUMNS": "120", "TERM": "xterm"},
         stdout=subprocess.DEVNULL,
         stderr=writer,
     )

@@ -12,9 +12,6 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-HAYES_PUNCH = {0.2: 1.281, 0.4: 1.683, 0.6: 2.211, 0.8: 2.855, 1.0: 3.609}
-"""Force of a flat punch over 2 a E* δ by a/h at ν 0.5 (Hayes et al., 1972, table 1)."""
-
 _POINTS = 40
 
 

@@ -540,11 +540,11 @@ def test_no_fault_drives_the_tip_into_the_object(tmp_path, name):
 AT_MARLIN = {
     name: FAULTS[name][1]
     for name in (
-        *("a tenth, from a press on", "end of scale in a press", "chips dead in a press"),
+        "end of scale in a press",
         *("another header while stopping", "reset in a press", "reset to zero, unlocked"),
         *("reset while stopping", "reset to zero while stopping", "alarm in a press", "ok late"),
         *("deaf machine", "silent machine", "position frozen", "line fails while stopping"),
-        *("Ctrl-C in a press", "Ctrl-C while stopping", "the lifting line lost", "an axis stuck"),
+        *("Ctrl-C in a press", "Ctrl-C while stopping", "the lifting line lost"),
         *("ok lost in a press", "ok lost on its way down"),
     )
 } | {

@@ -1,1 +1,0 @@
-"""A shell pushed onto its core, not bonded: unilateral contact with Coulomb friction."""
