@@ -57,6 +57,8 @@ _HOPELESS = 10.0
 """Log of the odds against a fit from which edges that are let go no longer help."""
 _FAINT = 7.0
 """Log of the odds against a fit from which it changes no mean: one in a thousand."""
+_FALLS = 1.5
+"""Misfit that may still fall, over what a linear model says: signals bend."""
 _JAW_COSTS = 6.0
 """Log evidence that every jaw takes at least: its force and leans are known to a part of their ranges."""
 
@@ -159,9 +161,9 @@ class Jaws:
         pose, free, rounds = starts[group][0], np.ones_like(whole), _ROUNDS
         peaks: list[_Peak] = []
         while True:
-            peaks.append(self._problem(observations, group, free).peak(pose, rounds))
+            peaks.append(self._problem(observations, group, free).peak(pose, rounds, least))
             # edges that are let go explain no more than all of them
-            if -peaks[0].misfit - _JAW_COSTS * len(group) < least:
+            if peaks[0].most_evidence < least:
                 return None
             best = max(peak.log_evidence for peak in peaks)
             if np.array_equal(free, whole) or peaks[-1].log_evidence < best - _HOPELESS:
@@ -270,12 +272,13 @@ def _with_others(
 
 
 class _Peak(NamedTuple):
-    """The most probable jaws with given unknowns: pose, what is free of it, log evidence, half χ² there and
-    (k, k) covariance of the unknowns."""
+    """The most probable jaws with given unknowns: pose, what is free of it, log evidence, the most that it
+    could be were edges known, half χ² there and (k, k) covariance of the unknowns."""
 
     pose: Float[np.ndarray, "k"]
     free: Bool[np.ndarray, "k"]
     log_evidence: float
+    most_evidence: float
     misfit: float
     covariance: Float[np.ndarray, "k k"]
 
@@ -305,9 +308,9 @@ class _Problem:
         low, high = self.bounds
         return high - low
 
-    def peak(self, start: Float[np.ndarray, "k"], rounds: int) -> _Peak:
-        """Return the most probable jaws near a start."""
-        pose, residual, slopes = self._descend(start, rounds)
+    def peak(self, start: Float[np.ndarray, "k"], rounds: int, least: float = -np.inf) -> _Peak:
+        """Return the most probable jaws near a start; no peak where evidence cannot reach `least`."""
+        pose, residual, slopes = self._descend(start, rounds, least)
         curvature, misfit = slopes @ slopes.T + self._prior, 0.5 * float(residual @ residual)
         inverse, free = np.linalg.inv(curvature), self.free
         count, volume = int(free.sum()), np.linalg.slogdet(curvature)[1]
@@ -320,7 +323,16 @@ class _Problem:
         covariance = np.zeros((len(pose), len(pose)))
         covariance[np.ix_(free, free)] = inverse
         evidence += self.jaws.log_density(self.group)
-        return _Peak(pose, free, float(evidence), misfit, covariance)
+        most = self._most_evidence(curvature, misfit)
+        return _Peak(pose, free, float(evidence), most, misfit, covariance)
+
+    def _most_evidence(self, curvature: Float[np.ndarray, "free free"], misfit: float) -> float:
+        """Laplace's log evidence were all edges known: every edge to be found takes a factor below 1."""
+        inner = self.jaws._whole(self.group)
+        block = curvature[np.ix_(inner[self.free], inner[self.free])]
+        volume = np.linalg.slogdet(block)[1] + 2 * np.log(self.width[inner]).sum()
+        peak = 0.5 * (len(block) * np.log(2 * np.pi) - volume) - misfit
+        return float(peak) + self.jaws.log_density(self.group)
 
     def fit(self, peak: _Peak) -> JawFit:
         """Return what is read of the most probable jaws."""
@@ -438,21 +450,28 @@ class _Problem:
         return self._white(counts.reshape(-1, counts.shape[2])).reshape(counts.shape)
 
     def _descend(
-        self, pose: Float[np.ndarray, "k"], rounds: int
+        self, pose: Float[np.ndarray, "k"], rounds: int, least: float
     ) -> tuple[
         Float[np.ndarray, "k"], Float[np.ndarray, "channel"], Float[np.ndarray, "free channel"]
     ]:
-        """Return the pose of least misfit near a start, its whitened residual, and the slopes there."""
+        """Return the pose of least misfit near a start, its whitened residual, and the slopes there.
+
+        It ends early where the misfit that a linear model leaves allows no evidence of `least`.
+        """
         pose, free = self._clipped(pose), self.free
         residual = self._residual(pose)
         misfit, damping = 0.5 * float(residual @ residual), 1e-3
         slopes = self._slopes(pose)
         for _ in range(rounds):
             curvature = slopes @ slopes.T + self._prior
+            gradient = slopes @ residual
+            falls = 0.5 * float(gradient @ np.linalg.solve(curvature, gradient))
+            if self._most_evidence(curvature, misfit - _FALLS * falls) < least:
+                break
             # Marquardt's scaling: damping in the parameters' own units
             damped = curvature + damping * np.diag(np.diag(curvature))
             step = np.zeros_like(pose)
-            step[free] = np.linalg.solve(damped, slopes @ residual)
+            step[free] = np.linalg.solve(damped, gradient)
             tried = self._clipped(pose - step)
             ahead = self._residual(tried)
             reached = 0.5 * float(ahead @ ahead)
