@@ -203,7 +203,7 @@ class Inversion:
 
     @property
     def _flat(self) -> bool:
-        """Whether contacts are known to be jaws."""
+        """Return whether contacts are known to be jaws."""
         return self.model.spec.inversion.probes == "flat"
 
     def rival_jaws(

@@ -171,21 +171,18 @@ def doubted(tips: ContactSets, jaws: JawFit, share: float) -> ContactSets:
     The force of a jaw and its variance are shared out evenly among the tips of its face, so that their sum
     holds them; a tip where no jaw presses may bear nothing.
     """
-    covariance = tips.covariance.copy()
-    for slot in np.flatnonzero(tips.face[0] != NO_FACE):
-        tip = np.array([*tips.xy_mm[0, slot], tips.force_n[0, slot]])
-        if tips.face[0, slot] in jaws.faces:
-            jaw = jaws.faces.index(tips.face[0, slot])
-            alike = tips.face[0] == tips.face[0, slot]
-            away = jaws.values[jaw, :3] - tip
-            # Σ over n tips of ((J − T) / √n)² is (J − T)²
-            away[2] = (jaws.values[jaw, 2] - tips.force_n[0, alike].sum()) / np.sqrt(alike.sum())
-            other = jaws.covariance[jaw, :3, :3].copy()
-            other[2], other[:, 2] = other[2] / alike.sum(), other[:, 2] / alike.sum()
-            other[2, 2] *= alike.sum()
-        else:
-            away, other = np.array([0.0, 0.0, -tip[2]]), np.zeros((3, 3))
-        mixed = share * (other + np.outer(away, away))
+    covariance, pressed = tips.covariance.copy(), tips.face[0]
+    for slot in np.flatnonzero(pressed != NO_FACE):
+        alike = pressed == pressed[slot]
+        tip = np.array([*tips.xy_mm[0, slot], tips.force_n[0, alike].sum()])
+        away, spread = np.array([0.0, 0.0, tips.force_n[0, slot]]), np.zeros((3, 3))
+        if pressed[slot] in jaws.faces:
+            jaw = jaws.faces.index(pressed[slot])
+            # n variances of a share sum up to the whole: σ²/n each, of (J − T)²/n too
+            scale = np.array([1.0, 1.0, alike.sum() ** -0.5])
+            away = scale * (jaws.values[jaw, :3] - tip)
+            spread = np.outer(scale, scale) * jaws.covariance[jaw, :3, :3]
+        mixed = share * (spread + np.outer(away, away))
         covariance[0, slot] = (1 - share) * covariance[0, slot] + mixed
     return replace(tips, covariance=covariance, odds=tips.odds * (1 - share))
 
