@@ -137,7 +137,8 @@ class InversionSpec(SpecPart):
     Up to `contacts` at once anywhere on the sensed faces.
     `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
-    bear alike within 30 %. `jaws`: two of them press two faces alike (within 30 %), with as many tips
+    bear alike within 30 %; "flat" ones are rigid rectangles, such as fingers of a gripper, on flat faces.
+    `jaws`: two of them press two faces alike (within 30 %), with as many tips
     each. `model_error` is the error of the forward model relative to the signals; left out, it is what
     `[tolerances]` make of the design, or what a calibrated twin leaves over.
     Contacts may pull sideways by up to `tangential_share` of their normal force (twice the standard
@@ -145,7 +146,7 @@ class InversionSpec(SpecPart):
     """
 
     contacts: Annotated[int, Field(ge=1, le=8)] = 6
-    probes: Literal["free", "known"] = "free"
+    probes: Literal["free", "known", "flat"] = "free"
     jaws: bool = False
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.special import chdtrc
+from scipy.special import chdtrc, logsumexp
 
 from design.layout.body import face_frames
 from estimator.inversion.evidence import log_mass_between
@@ -51,14 +51,12 @@ _ROUNDS, _ROUNDS_FROM_LAST = 30, 8
 """Steps of a fit: from scratch, and from the frame before."""
 _SETTLED = 1e-2
 """Fall of the misfit by a step below which a fit has ended: evidence does not ask for more."""
-_SURE = 1.5
-"""Log of the odds that a jaw must have over tips: 4 to 1. Weak tips came to 7 to 1 once in 126 frames."""
 _HOPELESS = 10.0
 """Log of the odds against a fit from which edges that are let go no longer help."""
 _FAINT = 7.0
 """Log of the odds against a fit from which it changes no mean: one in a thousand."""
-_JAW_COSTS = 6.0
-"""Log evidence that every jaw takes at least: its force and leans are known to a part of their ranges."""
+_FALLS = 1.5
+"""Misfit that may still fall, over what a linear model says: signals bend."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +68,8 @@ class JawFit:
     faces : of the jaws
     pose : (jaw, 7) force (N), the two leans, and the edges (mm): low and high along x, then along y
     free : (jaw, 7) what is unknown of it: an edge that is not lies beyond the border
-    log_evidence : of all fits on these faces, but for the frame's constant
+    log_evidence, more : of all fits on these faces, but for the frame's constant, and what others than the
+        best add to it
     values : (jaw, 5) centre of pressure in the face's frame (mm), force (N), and edges along x and y of the
         part of the face that it covers (mm)
     covariance : (jaw, 5, 5) of the values
@@ -83,16 +82,13 @@ class JawFit:
     pose: Float[np.ndarray, "jaw 7"]
     free: Bool[np.ndarray, "jaw 7"]
     log_evidence: float
+    more: float
     values: Float[np.ndarray, "jaw 5"]
     covariance: Float[np.ndarray, "jaw 5 5"]
     off: Float[np.ndarray, "jaw 5"]
     among: Float[np.ndarray, "jaw 5 5"]
     tilt_deg: Float[np.ndarray, "jaw 2"]
     p_value: float
-
-    def beats(self, log_evidence: float) -> bool:
-        """Return whether jaws are far more probable than tips of that evidence."""
-        return self.log_evidence > log_evidence + _SURE
 
 
 @dataclass(frozen=True)
@@ -142,26 +138,29 @@ class Jaws:
         return {a: b for a, b in pairs if normals[a] @ normals[b] < -1 + 1e-6}
 
     def fit(
-        self, observations: Observations, groups: Sequence[tuple[int, ...]], least: float
+        self,
+        observations: Observations,
+        groups: Sequence[tuple[int, ...]],
+        least: float,
+        linear: bool = False,
     ) -> JawFit | None:
         """Return the most probable jaws of one frame on some group of faces: the mean of fits with all edges
-        unknown, and with ever fewer, down to jaws over whole faces. None where what they leave
-        unexplained allows no evidence of `least`.
+        unknown, and with ever fewer, down to jaws over whole faces. None where their evidence is
+        less than `least`.
 
-        The group is the best where signals are taken for linear.
+        The group is the best where signals are taken for linear. With `linear` it must reach `least` there.
         """
         starts = {group: self._problem(observations, group).start() for group in groups}
-        likely = {group: -misfit - _JAW_COSTS * len(group) for group, (_, misfit) in starts.items()}
-        group = max(likely, key=likely.__getitem__, default=())
-        if not group:
+        group = max(starts, key=lambda group: starts[group][1], default=())
+        if not group or (linear and starts[group][1] < least):
             return None
         whole, borders = self._whole(group), self._whole_pose(group)
         pose, free, rounds = starts[group][0], np.ones_like(whole), _ROUNDS
         peaks: list[_Peak] = []
         while True:
-            peaks.append(self._problem(observations, group, free).peak(pose, rounds))
+            peaks.append(self._problem(observations, group, free).peak(pose, rounds, least))
             # edges that are let go explain no more than all of them
-            if -peaks[0].misfit - _JAW_COSTS * len(group) < least:
+            if peaks[0].most_evidence < least:
                 return None
             best = max(peak.log_evidence for peak in peaks)
             if np.array_equal(free, whole) or peaks[-1].log_evidence < best - _HOPELESS:
@@ -171,14 +170,17 @@ class Jaws:
             nearest = int(inside.argmin())
             free[nearest], pose[nearest] = False, borders[nearest]
         total = float(np.logaddexp.reduce([peak.log_evidence for peak in peaks]))
+        if total < least:
+            return None
         likely_peaks = [peak for peak in peaks if peak.log_evidence > best - _FAINT]
         fits = [self._problem(observations, group, peak.free).fit(peak) for peak in likely_peaks]
-        return replace(_mean(fits), log_evidence=total)
+        return replace(_mean(fits), log_evidence=total, more=total - best)
 
     def refit(self, observations: Observations, last: JawFit) -> JawFit:
         """Return the jaws of the frame before, as they are in this one."""
         problem = self._problem(observations, last.faces, last.free.ravel())
         fit = problem.fit(problem.peak(last.pose.ravel(), _ROUNDS_FROM_LAST))
+        fit = replace(fit, log_evidence=fit.log_evidence + last.more, more=last.more)
         return _with_others(fit, fit.covariance, last.off, last.among)
 
     def _problem(
@@ -270,12 +272,13 @@ def _with_others(
 
 
 class _Peak(NamedTuple):
-    """The most probable jaws with given unknowns: pose, what is free of it, log evidence, half χ² there and
-    (k, k) covariance of the unknowns."""
+    """The most probable jaws with given unknowns: pose, what is free of it, log evidence, the most that it
+    could be were edges known, half χ² there and (k, k) covariance of the unknowns."""
 
     pose: Float[np.ndarray, "k"]
     free: Bool[np.ndarray, "k"]
     log_evidence: float
+    most_evidence: float
     misfit: float
     covariance: Float[np.ndarray, "k k"]
 
@@ -305,9 +308,9 @@ class _Problem:
         low, high = self.bounds
         return high - low
 
-    def peak(self, start: Float[np.ndarray, "k"], rounds: int) -> _Peak:
-        """Return the most probable jaws near a start."""
-        pose, residual, slopes = self._descend(start, rounds)
+    def peak(self, start: Float[np.ndarray, "k"], rounds: int, least: float = -np.inf) -> _Peak:
+        """Return the most probable jaws near a start; no peak where evidence cannot reach `least`."""
+        pose, residual, slopes = self._descend(start, rounds, least)
         curvature, misfit = slopes @ slopes.T + self._prior, 0.5 * float(residual @ residual)
         inverse, free = np.linalg.inv(curvature), self.free
         count, volume = int(free.sum()), np.linalg.slogdet(curvature)[1]
@@ -320,7 +323,21 @@ class _Problem:
         covariance = np.zeros((len(pose), len(pose)))
         covariance[np.ix_(free, free)] = inverse
         evidence += self.jaws.log_density(self.group)
-        return _Peak(pose, free, float(evidence), misfit, covariance)
+        most = self._most_evidence(curvature, misfit)
+        return _Peak(pose, free, float(evidence), most, misfit, covariance)
+
+    def _most_evidence(self, curvature: Float[np.ndarray, "free free"], misfit: float) -> float:
+        """Laplace's log evidence were all edges known: every edge to be found takes a factor below 1."""
+        inner = self.jaws._whole(self.group)
+        block = curvature[np.ix_(inner[self.free], inner[self.free])]
+        volume = np.linalg.slogdet(block)[1] + 2 * np.log(self.width[inner]).sum()
+        return self._laplace(len(block), float(volume), misfit)
+
+    def _laplace(self, count: int, volume: float, misfit: float) -> float:
+        """Log evidence (2π)^{k/2} e^{−misfit} / √volume of k unknowns, `volume` that of H times the square of
+        the even priors'."""
+        peak = 0.5 * (count * np.log(2 * np.pi) - volume) - misfit
+        return float(peak) + self.jaws.log_density(self.group)
 
     def fit(self, peak: _Peak) -> JawFit:
         """Return what is read of the most probable jaws."""
@@ -343,7 +360,7 @@ class _Problem:
             spreads.append(by_pose @ covariance[part, part] @ by_pose.T)
         described = np.array(values)
         return JawFit(
-            self.group, pose.reshape(-1, _POSE), peak.free.reshape(-1, _POSE), peak.log_evidence,
+            self.group, pose.reshape(-1, _POSE), peak.free.reshape(-1, _POSE), peak.log_evidence, 0.0,
             described[:, :5], np.array(spreads), np.zeros((len(values), 5)),
             np.zeros((len(values), 5, 5)), described[:, 5:],
             float(chdtrc(freedoms, 2 * peak.misfit)),
@@ -407,11 +424,12 @@ class _Problem:
         return whole * len(pairs) + whole
 
     def start(self) -> tuple[Float[np.ndarray, "k"], float]:
-        """Return the parts that fit best, each face's in turn, as if signals were linear; and half of χ²."""
+        """Return the parts that fit best, each face's in turn, and log evidence, were signals linear."""
         counts = self._white(self.observations.counts)[0]
         rows = {face: self._white_parts(face) for face in self.group}
         chosen = dict.fromkeys(self.group, self._whole_part)
-        start, best = self.jaws._whole_pose(self.group), 0.0
+        start, best, volume = self.jaws._whole_pose(self.group), 0.0, 0.0
+        spread = np.zeros(len(self.group))
         for jaw, face in [*enumerate(self.group)] * len(self.group):
             others = [rows[number][chosen[number]] for number in self.group if number != face]
             beside = np.concatenate([np.zeros((0, len(counts))), *others])
@@ -426,33 +444,47 @@ class _Problem:
             # the fall of the misfit; jaws only push
             fall = np.where(share[:, :3].sum(axis=1) > 0, (share * projected).sum(axis=1), -np.inf)
             chosen[face], best = int(fall.argmax()), float(fall.max())
+            volume = float(np.linalg.slogdet(square[chosen[face]])[1])
+            # what the mean over all parts, alike likely, is under the best
+            spread[jaw] = logsumexp(fall / 2) - best / 2 - np.log(len(fall))
             level, *leans = share[chosen[face], :3]
             force = float(np.clip(level + sum(leans), _SMALL_N, self.jaws.most_n))
             part = slice(_POSE * jaw, _POSE * (jaw + 1))
             lean = np.clip(_SMALL_LEAN * np.array(leans) / force, -1, 1)
             start[part] = np.r_[force, lean, self.jaws.parts(face)[0][chosen[face]]]
-        return start, 0.5 * (float(counts @ counts) - best)
+        # unknowns of the linear fit are the force times each lean, in units of `_SMALL_LEAN`
+        inner, force = self.jaws._whole(self.group), start[::_POSE]
+        volume += 2 * (np.log(self.width[inner]).sum() + 2 * np.log(force / _SMALL_LEAN).sum())
+        misfit = 0.5 * (float(counts @ counts) - best)
+        return start, self._laplace(int(inner.sum()), float(volume), misfit) + float(spread.sum())
 
     def _white_parts(self, face: int) -> Float[np.ndarray, "part 3 channel"]:
         counts = self.jaws.parts(face)[1]
         return self._white(counts.reshape(-1, counts.shape[2])).reshape(counts.shape)
 
     def _descend(
-        self, pose: Float[np.ndarray, "k"], rounds: int
+        self, pose: Float[np.ndarray, "k"], rounds: int, least: float
     ) -> tuple[
         Float[np.ndarray, "k"], Float[np.ndarray, "channel"], Float[np.ndarray, "free channel"]
     ]:
-        """Return the pose of least misfit near a start, its whitened residual, and the slopes there."""
+        """Return the pose of least misfit near a start, its whitened residual, and the slopes there.
+
+        It ends early where the misfit that a linear model leaves allows no evidence of `least`.
+        """
         pose, free = self._clipped(pose), self.free
         residual = self._residual(pose)
         misfit, damping = 0.5 * float(residual @ residual), 1e-3
         slopes = self._slopes(pose)
         for _ in range(rounds):
             curvature = slopes @ slopes.T + self._prior
+            gradient = slopes @ residual
+            falls = 0.5 * float(gradient @ np.linalg.solve(curvature, gradient))
+            if self._most_evidence(curvature, misfit - _FALLS * falls) < least:
+                break
             # Marquardt's scaling: damping in the parameters' own units
             damped = curvature + damping * np.diag(np.diag(curvature))
             step = np.zeros_like(pose)
-            step[free] = np.linalg.solve(damped, slopes @ residual)
+            step[free] = np.linalg.solve(damped, gradient)
             tried = self._clipped(pose - step)
             ahead = self._residual(tried)
             reached = 0.5 * float(ahead @ ahead)

@@ -165,6 +165,28 @@ def jaw_set(fit: JawFit, tips: ContactSets) -> ContactSets:
     return jaws
 
 
+def doubted(tips: ContactSets, jaws: JawFit, share: float) -> ContactSets:
+    """Return a frame's tips, as uncertain as they are where jaws have a `share` of the probability.
+
+    The force of a jaw and its variance are shared out evenly among the tips of its face, so that their sum
+    holds them; a tip where no jaw presses may bear nothing.
+    """
+    covariance, pressed = tips.covariance.copy(), tips.face[0]
+    for slot in np.flatnonzero(pressed != NO_FACE):
+        alike = pressed == pressed[slot]
+        tip = np.array([*tips.xy_mm[0, slot], tips.force_n[0, alike].sum()])
+        away, spread = np.array([0.0, 0.0, tips.force_n[0, slot]]), np.zeros((3, 3))
+        if pressed[slot] in jaws.faces:
+            jaw = jaws.faces.index(pressed[slot])
+            # n variances of a share sum up to the whole: σ²/n each, of (J − T)²/n too
+            scale = np.array([1.0, 1.0, alike.sum() ** -0.5])
+            away = scale * (jaws.values[jaw, :3] - tip)
+            spread = np.outer(scale, scale) * jaws.covariance[jaw, :3, :3]
+        mixed = share * (spread + np.outer(away, away))
+        covariance[0, slot] = (1 - share) * covariance[0, slot] + mixed
+    return replace(tips, covariance=covariance, odds=tips.odds * (1 - share))
+
+
 def among_sets(
     hypotheses: Hypotheses, best: Int[np.ndarray, "frame"], priors: Priors
 ) -> Float[np.ndarray, "frame contact 3 3"]:

@@ -77,6 +77,7 @@ class Tracker:
         self._pressed = 0
         self._strange, self._sound, self._chip_out = 0, 0, NONE
         self._jaws: tuple[JawFit, ContactSets] | None = None
+        self._rival: JawFit | None = None
         self.beside_magnet = False
         self.slip: Slip | None = None
         self._resting: deque[np.ndarray] = deque(maxlen=REST_FRAMES)
@@ -149,8 +150,8 @@ class Tracker:
         sets = self._followed(self._seen(plain))
         # Tips that go on as they were need no other kind of contact.
         changed = last is None or sets.number[0] != last.number[0] or self.seen_anew > anew
-        if changed or not sets.explained[0]:
-            sets = self._try_jaws(plain, sets)
+        if changed or self._rival is not None or not sets.explained[0]:
+            sets = self._try_jaws(plain, sets, bool(changed))
         self._strange = 0 if sets.explained[0] else self._strange + 1
         if self._strange:
             sets = self._diagnosed(plain, last, sets)
@@ -173,22 +174,31 @@ class Tracker:
         force, sigma = fit.values[:, 2], np.sqrt(fit.covariance[:, 2, 2])
         if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
             return None
-        return self._believe_jaws(fit, reading)
+        sets = self.inversion.jaw_reading(fit, reading)
+        self._jaws = fit, sets
+        return sets
 
-    def _try_jaws(self, plain: Observations, tips: ContactSets) -> ContactSets:
-        """Return the frame's jaws where these are far more probable than the tips just read."""
+    def _try_jaws(self, plain: Observations, tips: ContactSets, changed: bool) -> ContactSets:
+        """Return the frame's jaws where these are far more probable than the tips just read, and these tips
+        as uncertain as jaws make them: the last rival as it is now, a new one where contacts changed."""
+        rival, self._rival = self._rival, None
         if self._chip_out != NONE or self.beside_magnet or self._last is None:
             return tips
         if not self.inversion.jaw_tables or not tips.number[0]:
             return tips
         evidence = float(self.inversion.search.judged(self._last).log_evidence[0])
-        fit = self.inversion.better_jaws(plain, tips, evidence)
-        return tips if fit is None else self._believe_jaws(fit, tips)
-
-    def _believe_jaws(self, fit: JawFit, tips: ContactSets) -> ContactSets:
-        reading = self.inversion.jaw_reading(fit, tips)
-        self._jaws = fit, reading
-        return reading
+        if rival is None or changed:
+            fit = self.inversion.rival_jaws(plain, tips, evidence)
+        else:
+            fit = self.inversion.jaws.refit(plain, rival)
+        if fit is None:
+            return tips
+        sets = self.inversion.weighed(fit, tips, evidence)
+        if sets.jaws[0]:
+            self._jaws = fit, sets
+        else:
+            self._rival = fit
+        return sets
 
     @property
     def believed(self) -> Bool[np.ndarray, "channel"]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.errors import InputError
 from design.spec.object import LARGEST_SEED
 from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
@@ -58,6 +59,10 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     tips = inversion(context.spec, forces, motions, signals, error, modulus, shear)
     context.step("faces for jaws")
     flat = coverable_faces(context.spec)
+    if context.spec.inversion.probes == "flat" and not flat:
+        raise InputError(
+            'inversion.probes = "flat" needs a flat sensed face; this body has none. Set it to "free"'
+        )
     jaws = jaw_faces(context.spec, context.read(RESPONSE), flat) if flat else ()
     save_inversion(replace(tips, jaw_tables=jaws), INVERSION.path(folder))
 
