@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.special import chdtrc, logsumexp
+from scipy.special import chdtrc
 
 from design.layout.body import face_frames
 from estimator.inversion.evidence import log_mass_between
@@ -446,7 +446,7 @@ class _Problem:
             chosen[face], best = int(fall.argmax()), float(fall.max())
             volume = float(np.linalg.slogdet(square[chosen[face]])[1])
             # what the mean over all parts, alike likely, is under the best
-            spread[jaw] = logsumexp(fall / 2) - best / 2 - np.log(len(fall))
+            spread[jaw] = np.logaddexp.reduce(fall / 2) - best / 2 - np.log(len(fall))
             level, *leans = share[chosen[face], :3]
             force = float(np.clip(level + sum(leans), _SMALL_N, self.jaws.most_n))
             part = slice(_POSE * jaw, _POSE * (jaw + 1))
