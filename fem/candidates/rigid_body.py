@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.layout.body import face_frame
 from design.layout.pockets import shell_bodies
@@ -39,6 +39,7 @@ from fem.candidates.tied_magnets import (
 from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, displacements
+from fem.linear.sparse import shape_of
 
 CIRCLES, AROUND = 2, 8
 """Circles on a magnet's flat sides, and points on each: exact for polynomials of degree 3 (`quadrature`).
@@ -50,6 +51,8 @@ _OF_THE_COVER = 0.8
 
 Below 1, so that all points of a magnet's skin stay inside the silicone.
 """
+_TOGETHER = 256
+"""Bodies whose displacements are gathered at once: it bounds the memory."""
 _TOLD_APART = 1e-4
 """Share of the largest flexibility below which a mean gets no weight.
 
@@ -152,13 +155,34 @@ def tied_magnets(
     return RigidBody(points, *of_points), tied
 
 
+@dataclass(frozen=True)
+class BodyRows:
+    """Figures of rigid bodies under nodal displacements: weights of the degrees of freedom round each body,
+    of 0 where it has fewer than others.
+
+    `rows @ displacements` gives (figure·body, k), all figures of a body together.
+    """
+
+    columns: Int[np.ndarray, "body column"]
+    weights: Float[np.ndarray, "body figure column"]
+
+    def __matmul__(self, displacements: Float[np.ndarray, "degree *k"]) -> np.ndarray:
+        fields = displacements.reshape(len(displacements), -1)
+        parts = [
+            self.weights[first : first + _TOGETHER]
+            @ fields[self.columns[first : first + _TOGETHER]]
+            for first in range(0, len(self.weights), _TOGETHER)
+        ]
+        return np.concatenate(parts).reshape(-1, *displacements.shape[1:])
+
+
 def candidate_rows(
     space: DisplacementSpace,
     centres_mm: Float[np.ndarray, "body 3"],
     axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
     body: RigidBody,
-) -> sp.csr_matrix:
-    """Motions (c, ω) of rigid bodies at these places under nodal displacements; (6·body, 3·node).
+) -> BodyRows:
+    """Motions (c, ω) of rigid bodies at these places.
 
     `axes` are the body's x, y and axis as columns, one frame of all places or of each; motions are
     given in the object's frame.
@@ -176,9 +200,9 @@ def strain_rows(
     centres_mm: Float[np.ndarray, "body 3"],
     axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
     body: RigidBody,
-) -> sp.csr_matrix:
+) -> BodyRows:
     """Strains round bodies at these places, in their own frames as shares of `STRAINS`, that the silicone
-    would have without them; (5·body, 3·node)."""
+    would have without them."""
     each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
     # s strain, in the body's own frame; m own axis of u, j the same in the object's frame
     turned = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
@@ -191,26 +215,30 @@ def _weighted_rows(
     axes: Float[np.ndarray, "body 3 3"],
     body: RigidBody,
     weights: Float[np.ndarray, "body row 3 point"],
-) -> sp.csr_matrix:
-    """Sums over the bodies' points, body by body, of displacement components in the object's frame."""
+) -> BodyRows:
+    """Sums over the bodies' points of displacement components in the object's frame."""
     count, points = len(centres_mm), len(body.points_mm)
     skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
     values = interpolate_at(space, skin_mm.reshape(-1, 3))
-    # CSR by hand: row b holds the weights of the points of body b, which follow each other.
-    ends, columns = np.arange(0, count * points + 1, points), np.arange(count * points)
-
-    def mean(weights: Float[np.ndarray, "body point"]) -> sp.csr_matrix:
-        rows = sp.csr_matrix((weights.ravel(), columns, ends), shape=(count, count * points))
-        return sp.csr_matrix(rows @ values)
-
-    rows = weights.shape[1]
-    blocks = [
-        sp.hstack([mean(weights[:, row, component]) for component in range(3)])
-        for row in range(rows)
-    ]
-    # From (row, body) to (body, row): all rows of a body together.
-    order = np.arange(rows * count).reshape(rows, count).T.ravel()
-    return sp.csr_matrix(sp.vstack(blocks))[order]
+    nodes = values.indices.reshape(count, -1)
+    # number each body's nodes: the rank of every entry among the different ones
+    order = nodes.argsort(axis=1)
+    ranked = np.cumsum(
+        np.diff(np.take_along_axis(nodes, order, 1), axis=1, prepend=nodes.min(axis=1)[:, None])
+        > 0,
+        axis=1,
+    )
+    number = np.empty_like(nodes)
+    np.put_along_axis(number, order, ranked.astype(nodes.dtype), 1)
+    own = np.zeros((count, number.max(initial=-1) + 1), nodes.dtype)
+    np.put_along_axis(own, number, nodes, 1)
+    shares = np.zeros((count, points, own.shape[1]))
+    point = np.repeat(np.arange(points), nodes.shape[1] // points)
+    shares[np.arange(count)[:, None], point, number] = values.data.reshape(count, -1)
+    # the three components of a node lie a whole space apart
+    columns = (own[:, None] + shape_of(values)[1] * np.arange(3)[:, None]).reshape(count, -1)
+    of_nodes = weights.reshape(count, -1, points) @ shares
+    return BodyRows(columns, of_nodes.reshape(count, weights.shape[1], -1))
 
 
 def _middle_places(
