@@ -38,7 +38,6 @@ from fem.candidates.rigid_body import (
     BodyRows,
     RigidBody,
     candidate_rows,
-    strain_rows,
     tied_magnets,
 )
 from fem.linear.factorization import Factorization
@@ -248,20 +247,17 @@ def _record(
             _placed(spec, lattice.face, lattice.xyd_mm[here])
             for lattice, here in zip(lattices, is_known, strict=True)
         ]
-        rows = [_single(candidate_rows(system.space, *place, body)) for place in placed]
-        strained = [_single(strain_rows(system.space, *place, body)) for place in placed]
+        whole = [candidate_rows(system.space, *place, body) for place in placed]
+        # in single precision, in which motions are stored: half the memory and time
+        whole = [BodyRows(rows.columns, rows.weights.astype(np.float32)) for rows in whole]
         for index, surface in enumerate(response.surfaces):
             face_presses, share, patterns = coming.result()
             if index + 1 < len(response.surfaces):
                 coming = begin_contact(index + 1)
             own_loads, number = response.face_loads(index), surface.number
             (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
-            all_rows = rows.copy()
-            all_rows[under] = BodyRows(
-                rows[under].columns,
-                np.concatenate([rows[under].weights, strained[under].weights], axis=1),
-            )
-            moved = _moved(basis, factor, loads[:, own_loads], patterns, all_rows)
+            rows = [whole[k] if k == under else whole[k].motions for k in range(len(whole))]
+            moved = _moved(basis, factor, loads[:, own_loads], patterns, rows)
             moved[under], strain = np.split(moved[under], [6], axis=1)
             solved = strain.shape[2]
             motion, of_patterns = compressed(np.concatenate(moved))
@@ -281,11 +277,6 @@ def _record(
             if progress:
                 progress(f"face {number}: {len(share)} presses")
     return presses, recorded, body, between
-
-
-def _single(rows: BodyRows) -> BodyRows:
-    """Return rows in single precision, in which motions are stored: half the memory and time."""
-    return BodyRows(rows.columns, rows.weights.astype(np.float32))
 
 
 def _moved(
@@ -310,7 +301,7 @@ def _moved(
         fields = basis @ factor.solve(right)[: len(pressed)].astype(np.float32)
         sizes = {}
         for face in active:
-            figures = (rows[face] @ fields).reshape(*rows[face].weights.shape[:2], -1)
+            figures = rows[face] @ fields
             chunks[face].append(figures)
             motion = figures[:, :6].reshape(-1, 2, 3, some.shape[1])
             # c candidate, t displacement or rotation, i component, p pattern

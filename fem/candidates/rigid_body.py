@@ -160,7 +160,7 @@ class BodyRows:
     """Figures of rigid bodies under nodal displacements: weights of the degrees of freedom round each body,
     of 0 where it has fewer than others.
 
-    `rows @ displacements` gives (figure·body, k), all figures of a body together.
+    `rows @ displacements` gives (body, figure, k).
     """
 
     columns: Int[np.ndarray, "body column"]
@@ -173,7 +173,12 @@ class BodyRows:
             @ fields[self.columns[first : first + _TOGETHER]]
             for first in range(0, len(self.weights), _TOGETHER)
         ]
-        return np.concatenate(parts).reshape(-1, *displacements.shape[1:])
+        return np.concatenate(parts).reshape(*self.weights.shape[:2], *displacements.shape[1:])
+
+    @property
+    def motions(self) -> BodyRows:
+        """The first six figures."""
+        return BodyRows(self.columns, self.weights[:, :6])
 
 
 def candidate_rows(
@@ -182,63 +187,37 @@ def candidate_rows(
     axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
     body: RigidBody,
 ) -> BodyRows:
-    """Motions (c, ω) of rigid bodies at these places.
+    """Motions (c, ω) of rigid bodies at these places, in the object's frame, then strains round them.
 
-    `axes` are the body's x, y and axis as columns, one frame of all places or of each; motions are
-    given in the object's frame.
+    Strains are those that the silicone would have without the bodies, as shares of `STRAINS` in the bodies'
+    own frames: `axes` are a body's x, y and axis as columns, one frame of all places or of each.
     """
-    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
-    local = body.weights.reshape(2, 3, 3, -1)
-    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point;
-    # i and j the same two in the object's frame
-    turned = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
-    return _weighted_rows(space, centres_mm, each, body, turned.reshape(len(each), 6, 3, -1))
-
-
-def strain_rows(
-    space: DisplacementSpace,
-    centres_mm: Float[np.ndarray, "body 3"],
-    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
-    body: RigidBody,
-) -> BodyRows:
-    """Strains round bodies at these places, in their own frames as shares of `STRAINS`, that the silicone
-    would have without them."""
-    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
-    # s strain, in the body's own frame; m own axis of u, j the same in the object's frame
-    turned = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
-    return _weighted_rows(space, centres_mm, each, body, turned)
-
-
-def _weighted_rows(
-    space: DisplacementSpace,
-    centres_mm: Float[np.ndarray, "body 3"],
-    axes: Float[np.ndarray, "body 3 3"],
-    body: RigidBody,
-    weights: Float[np.ndarray, "body row 3 point"],
-) -> BodyRows:
-    """Sums over the bodies' points of displacement components in the object's frame."""
     count, points = len(centres_mm), len(body.points_mm)
-    skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
+    each = np.broadcast_to(axes, (count, 3, 3))
+    local = body.weights.reshape(2, 3, 3, -1)
+    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point, s strain;
+    # i and j own axes in the object's frame
+    moved = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
+    strained = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
+    weights = np.concatenate([moved.reshape(count, 6, 3, -1), strained], axis=1)
+    skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(each, 1, 2)
     values = interpolate_at(space, skin_mm.reshape(-1, 3))
     nodes = values.indices.reshape(count, -1)
-    # number each body's nodes: the rank of every entry among the different ones
+    # number a body's nodes: the rank of each entry among the different ones
     order = nodes.argsort(axis=1)
-    ranked = np.cumsum(
-        np.diff(np.take_along_axis(nodes, order, 1), axis=1, prepend=nodes.min(axis=1)[:, None])
-        > 0,
-        axis=1,
-    )
-    number = np.empty_like(nodes)
-    np.put_along_axis(number, order, ranked.astype(nodes.dtype), 1)
-    own = np.zeros((count, number.max(initial=-1) + 1), nodes.dtype)
+    ranked = np.take_along_axis(nodes, order, 1)
+    rank = (np.diff(ranked, axis=1, prepend=ranked[:, :1]) > 0).cumsum(axis=1)
+    number = np.empty_like(rank)
+    np.put_along_axis(number, order, rank, 1)
+    own = np.zeros((count, rank.max() + 1), int)
     np.put_along_axis(own, number, nodes, 1)
     shares = np.zeros((count, points, own.shape[1]))
     point = np.repeat(np.arange(points), nodes.shape[1] // points)
     shares[np.arange(count)[:, None], point, number] = values.data.reshape(count, -1)
     # the three components of a node lie a whole space apart
-    columns = (own[:, None] + shape_of(values)[1] * np.arange(3)[:, None]).reshape(count, -1)
-    of_nodes = weights.reshape(count, -1, points) @ shares
-    return BodyRows(columns, of_nodes.reshape(count, weights.shape[1], -1))
+    columns = own[:, None] + shape_of(values)[1] * np.arange(3)[:, None]
+    of_nodes = (weights.reshape(count, -1, points) @ shares).reshape(count, weights.shape[1], -1)
+    return BodyRows(columns.reshape(count, -1), of_nodes)
 
 
 def _middle_places(

@@ -76,59 +76,6 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
     return Compliance(-schur, solver.negative_pivots)
 
 
-class LoadedFactor:
-    """Factorization of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
-
-    Costs no more time than the compliance alone, but its memory (1.5 GB for the default mesh) until it is
-    released; use it as a context. `compliance` equals `compliance_of_loads`. Loads act on
-    displacements, so that the compliance is positive definite.
-
-    Raises
-    ------
-    SingularSystemError
-        A is singular to working precision; or the compliance is not positive definite, as where loads
-        depend on each other, which `compliance_of_loads` allows.
-    """
-
-    def __init__(self, matrix: sp.csr_matrix, loads: sp.csr_matrix) -> None:
-        self._loads = shape_of(loads)[1]
-        self._solver: Any
-        if not pardiso_available():
-            self._solver = eliminate(*_bordered(matrix, loads))
-            self.compliance = Compliance(-self._solver.schur, self._solver.negative_pivots)
-            return
-        self._solver = Pardiso(_bordered_triangle(matrix, loads))
-        try:
-            schur = -self._solver.condense(self._loads, _SCHUR_AND_FACTOR)
-            # PARDISO counts the complement's eigenvalues too: all of them are negative then
-            if _POTRF(schur)[1]:
-                raise SingularSystemError("the compliance of the loads is not positive definite")
-            negative = self._solver.negative_pivots - self._loads
-        except BaseException:
-            self._solver.release()
-            raise
-        self.compliance = Compliance(schur, negative)
-
-    def solve(self, weights: Float[np.ndarray, "load m"]) -> Float[np.ndarray, "n m"]:
-        """x of A x = L w for every column w: backward substitution from the loads alone."""
-        if self._solver is None:
-            raise ValueError("the factorization was released. Solve inside its context")
-        extended = self._solver.extend_kept(-np.asarray(weights, float))
-        return extended[: len(extended) - self._loads]
-
-    def release(self) -> None:
-        """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, Pardiso):
-            self._solver.release()
-        self._solver = None
-
-    def __enter__(self) -> LoadedFactor:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
-
-
 def _bordered(
     matrix: sp.csr_matrix, loads: sp.csr_matrix
 ) -> tuple[sp.csr_matrix, Bool[np.ndarray, "every"]]:
@@ -196,6 +143,47 @@ class Factorization:
 
     def __exit__(self, *_: object) -> None:
         self.release()
+
+
+class LoadedFactor(Factorization):
+    """Factorization of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
+
+    Costs no more time than the compliance alone, but its memory (1.5 GB for the default mesh) until it is
+    released; use it as a context. `compliance` equals `compliance_of_loads`. Loads act on
+    displacements, so that the compliance is positive definite.
+
+    Raises
+    ------
+    SingularSystemError
+        A is singular to working precision; or the compliance is not positive definite, as where loads
+        depend on each other, which `compliance_of_loads` allows.
+    """
+
+    def __init__(self, matrix: sp.csr_matrix, loads: sp.csr_matrix) -> None:
+        self._loads = shape_of(loads)[1]
+        self._solver: Any
+        if not pardiso_available():
+            self._solver = eliminate(*_bordered(matrix, loads))
+            self.compliance = Compliance(-self._solver.schur, self._solver.negative_pivots)
+            return
+        self._solver = Pardiso(_bordered_triangle(matrix, loads))
+        try:
+            schur = -self._solver.condense(self._loads, _SCHUR_AND_FACTOR)
+            # PARDISO counts the complement's eigenvalues too: all of them are negative then
+            if _POTRF(schur)[1]:
+                raise SingularSystemError("the compliance of the loads is not positive definite")
+            negative = self._solver.negative_pivots - self._loads
+        except BaseException:
+            self._solver.release()
+            raise
+        self.compliance = Compliance(schur, negative)
+
+    def solve(self, weights: Float[np.ndarray, "load m"]) -> Float[np.ndarray, "n m"]:
+        """x of A x = L w for every column w: backward substitution from the loads alone."""
+        if self._solver is None:
+            raise ValueError("the factorization was released. Solve inside its context")
+        extended = self._solver.extend_kept(-np.asarray(weights, float))
+        return extended[: len(extended) - self._loads]
 
 
 def solver_of(matrix: sp.csr_matrix, single: bool = False) -> Any:

@@ -111,7 +111,7 @@ def test_candidates_move_as_the_solved_field_does(cube, table, fields, body):
     first = sum(len(lattice) for lattice in table.candidates[: FACE - 1])
     for lattice, frame in zip(table.candidates[2:4], face_frames(cube.spec)[2:4], strict=True):
         points = frame.to_object(lattice.xyd_mm * [1, 1, -1])
-        rows = candidate_rows(cube.space, points, frame.axes, body)
+        rows = candidate_rows(cube.space, points, frame.axes, body).motions
         direct = (rows @ fields).reshape(len(lattice), 6, -1)
         found = motion_of(table)[FACE - 1, :, 1, first : first + len(lattice)]
         assert_allclose(np.moveaxis(found, 0, 2), direct, rtol=0, atol=1e-3 * abs(direct).max())
@@ -158,7 +158,7 @@ def missed(cube, table, fields, body, within=None):
     low, high = lattice.xyd_mm.min(axis=0), lattice.xyd_mm.max(axis=0)
     xyd = np.random.default_rng(9).uniform(low, high, (60, 3))
     points = frame.to_object(xyd * [1, 1, -1])
-    direct = candidate_rows(cube.space, points, frame.axes, body) @ fields
+    direct = candidate_rows(cube.space, points, frame.axes, body).motions @ fields
     direct = np.moveaxis(direct.reshape(len(xyd), 6, -1), 2, 0)
     miss = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
     parts = [values.reshape(-1, 2, 3) for values in (miss, direct)]

@@ -113,14 +113,14 @@ def test_candidates_move_as_the_solved_field_does(spec, solved, factor, table):
         here = np.repeat(known.ravel(), len(lattice.depth_mm))
         plane = frame.to_plane(lattice.xyd_mm[here, :2])
         points = frame.to_object(np.column_stack([plane, -lattice.xyd_mm[here, 2]]))
-        direct = candidate_rows(system.space, points, frame.axes_at(plane), body) @ fields
+        direct = candidate_rows(system.space, points, frame.axes_at(plane), body).motions @ fields
         direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
         found = motion_of(table)[row, :, 1, first : first + len(lattice)]
         assert_allclose(found[there][:, here], direct, rtol=0, atol=2e-3 * abs(direct).max())
         assert not found[~there].any()
         middle = np.linalg.norm(plane, axis=1) < 6.0
-        turned = candidate_rows(system.space, points[middle], frame.axes, body) @ fields
-        turned = np.moveaxis(turned.reshape(-1, 6, turned.shape[1]), 2, 0)
+        turned = candidate_rows(system.space, points[middle], frame.axes, body).motions @ fields
+        turned = np.moveaxis(turned, 2, 0)
         away = abs(turned - direct[:, middle]).max()
         assert away > 0.01 * abs(direct[:, middle]).max(), "all in one plane"
         first += len(lattice)
@@ -165,7 +165,7 @@ def test_interpolation_is_as_good_as_on_flat_faces(spec, solved, factor, table):
     assert len(xyd) > 20
     plane = frame.to_plane(xyd[:, :2])
     points = frame.to_object(np.column_stack([plane, -xyd[:, 2]]))
-    direct = candidate_rows(system.space, points, frame.axes_at(plane), body) @ fields
+    direct = candidate_rows(system.space, points, frame.axes_at(plane), body).motions @ fields
     direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
     found = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[row, pressed_nodes(spec)[row], 1]
     for part, most in ((slice(0, 3), 0.03), (slice(3, 6), 0.08)):
