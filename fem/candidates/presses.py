@@ -291,7 +291,7 @@ def _moved(
     The first six figures are motions of candidates. Once they fall below it, the face's rows stay 0. Loads
     act on the free displacements, of which `basis` makes those of the nodes.
     """
-    chunks: list[list[np.ndarray]] = [[] for _ in rows]
+    moved: list[list[np.ndarray]] = [[] for _ in rows]
     active, largest = list(range(len(rows))), 0.0
     for first in range(0, len(patterns), _CHUNK):
         some = patterns[first : first + _CHUNK].T.astype(np.float32)
@@ -300,10 +300,13 @@ def _moved(
         right[: len(pressed)] = pressed
         fields = basis @ factor.solve(right)[: len(pressed)].astype(np.float32)
         sizes = {}
-        for face in active:
-            figures = rows[face] @ fields
-            chunks[face].append(figures)
-            motion = figures[:, :6].reshape(-1, 2, 3, some.shape[1])
+        for face, of_face in enumerate(rows):
+            if face not in active:
+                shape = (*of_face.weights.shape[:2], some.shape[1])
+                moved[face].append(np.zeros(shape, np.float32))
+                continue
+            moved[face].append(of_face @ fields)
+            motion = moved[face][-1][:, :6].reshape(-1, 2, 3, some.shape[1])
             # c candidate, t displacement or rotation, i component, p pattern
             squared = np.einsum("ctip,ctip->tp", motion, motion, dtype=float)
             sizes[face] = float(np.sqrt((squared[0] + MM_PER_RAD**2 * squared[1]).max()))
@@ -311,12 +314,7 @@ def _moved(
         active = [face for face in active if sizes[face] >= _LEAST_MOTION * largest]
         if not active:
             break
-    solved = max(sum(chunk.shape[2] for chunk in of_face) for of_face in chunks)
-    moved = [np.zeros((*face_rows.weights.shape[:2], solved), np.float32) for face_rows in rows]
-    for of_face, values in zip(chunks, moved, strict=True):
-        first_columns = np.concatenate(of_face, axis=2)
-        values[:, :, : first_columns.shape[2]] = first_columns
-    return moved
+    return [np.concatenate(chunks, axis=2) for chunks in moved]
 
 
 def _patterns(
