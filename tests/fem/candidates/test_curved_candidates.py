@@ -24,7 +24,7 @@ from fem.linear.response import (
     face_pressure_loads,
 )
 from fem.mesh.tetrahedra import magnet_free_mesh, without_magnets
-from tests.support.mechanics.candidate_cases import motion_of
+from tests.support.mechanics.candidate_cases import motion_of, motions_at
 from tests.support.objects.body_cases import body_spec
 
 COARSE = {"edge_mm": 9.0, "surface_edge_mm": 4.0, "rim_edge_ratio": 1.0, "envelope_mm": 0.2}
@@ -167,7 +167,7 @@ def test_interpolation_is_as_good_as_on_flat_faces(spec, solved, factor, table):
     points = frame.to_object(np.column_stack([plane, -xyd[:, 2]]))
     direct = candidate_rows(system.space, points, frame.axes_at(plane), body).motions @ fields
     direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
-    found = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[row, pressed_nodes(spec)[row], 1]
+    found = motions_at(table, FACE, xyd[:, :2], xyd[:, 2])[row, pressed_nodes(spec)[row], 1]
     for part, most in ((slice(0, 3), 0.03), (slice(3, 6), 0.08)):
         miss = np.mean((found - direct)[..., part] ** 2) / np.mean(direct[..., part] ** 2)
         assert np.sqrt(miss) < most
