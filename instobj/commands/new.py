@@ -29,7 +29,6 @@ from design.layout.mould.frame import (
     mould_style,
     parting,
     undercut_depth_mm,
-    undercut_fraction,
 )
 from design.layout.places.coverage import covered_share
 from design.placement.asked import most_printed_mm, placements
@@ -279,9 +278,9 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
+    hooked = [round(undercut_depth_mm(spec_of(turn)), 2) for turn in turns]
     room_mm = max(undercut_depth_mm(spec), COMPLIANCE_FRACTION * spec.shell.thickness_mm)
-    yielding = (turn for turn in turns if undercut_depth_mm(spec_of(turn)) <= room_mm)
-    yield from sorted(yielding, key=lambda turn: round(undercut_fraction(spec_of(turn)), 3))
+    yield from (turns[k] for k in np.argsort(hooked, kind="stable") if hooked[k] <= room_mm)
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
