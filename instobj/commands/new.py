@@ -278,9 +278,11 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
-    hooked = [round(undercut_depth_mm(spec_of(turn)), 2) for turn in turns]
+    hooked = [undercut_depth_mm(spec_of(turn)) for turn in turns]
     room_mm = max(undercut_depth_mm(spec), COMPLIANCE_FRACTION * spec.shell.thickness_mm)
-    yield from (turns[k] for k in np.argsort(hooked, kind="stable") if hooked[k] <= room_mm)
+    # facets of a ball hook it by some hundredths
+    order = np.argsort(np.round(hooked, 1), kind="stable")
+    yield from (turns[k] for k in order if hooked[k] <= room_mm)
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:

@@ -321,11 +321,12 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
 
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
     """Of a vase of six flutes a turn by a whole one hooks nothing, one by 6° does."""
-    monkeypatch.setattr(
-        new,
-        "undercut_depth_mm",
-        lambda spec: ((spec.mould.parting_azimuth_deg or 45) - 45) % 60 / 400,
-    )
+
+    def depth_mm(spec):
+        azimuth = spec.mould.parting_azimuth_deg
+        return 0.0 if azimuth is None else (azimuth - 45) % 60 / 60
+
+    monkeypatch.setattr(new, "undercut_depth_mm", depth_mm)
     first, second, third, *_ = new.seams_of(BALL)
     assert first == BALL
     assert second["mould"]["parting_azimuth_deg"] == 105.0
