@@ -126,8 +126,8 @@ def simulate_candidates(
         presses = make() if unfinished is None else _kept(unfinished, number, make)
         if progress:
             progress(f"face {number}: contact at {len(presses.force_n)} places")
-        own = response.face_loads(index)
-        share, patterns = _patterns(presses.pressure_mpa, response.compliance[own, own])
+        loads = response.face_loads(index)
+        share, patterns = _patterns(presses.pressure_mpa, response.compliance[loads, loads])
         # patterns hold all of the pressures, which take the most memory
         without = replace(presses, pressure_mpa=presses.pressure_mpa[..., :0])
         return without, share.astype(np.float32), patterns

@@ -209,13 +209,13 @@ def candidate_rows(
     rank = (np.diff(ranked, axis=1, prepend=ranked[:, :1]) > 0).cumsum(axis=1)
     number = np.empty_like(rank)
     np.put_along_axis(number, order, rank, 1)
-    own = np.zeros((count, rank.max() + 1), int)
-    np.put_along_axis(own, number, nodes, 1)
-    shares = np.zeros((count, points, own.shape[1]))
+    of_body = np.zeros((count, rank.max() + 1), int)
+    np.put_along_axis(of_body, number, nodes, 1)
+    shares = np.zeros((count, points, of_body.shape[1]))
     point = np.repeat(np.arange(points), nodes.shape[1] // points)
     shares[np.arange(count)[:, None], point, number] = values.data.reshape(count, -1)
     # the three components of a node lie a whole space apart
-    columns = own[:, None] + shape_of(values)[1] * np.arange(3)[:, None]
+    columns = of_body[:, None] + shape_of(values)[1] * np.arange(3)[:, None]
     of_nodes = (weights.reshape(count, -1, points) @ shares).reshape(count, weights.shape[1], -1)
     return BodyRows(columns.reshape(count, -1), of_nodes)
 
