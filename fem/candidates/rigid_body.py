@@ -189,8 +189,8 @@ def candidate_rows(
 ) -> BodyRows:
     """Motions (c, ω) of rigid bodies at these places, in the object's frame, then strains round them.
 
-    Strains are those that the silicone would have without the bodies, as shares of `STRAINS` in the bodies'
-    own frames: `axes` are a body's x, y and axis as columns, one frame of all places or of each.
+    The silicone would have these strains without the bodies; they are shares of `STRAINS` in a body's frame.
+    `axes` are its x, y and axis as columns, one frame of all places or of each.
     """
     count, points = len(centres_mm), len(body.points_mm)
     each = np.broadcast_to(axes, (count, 3, 3))
