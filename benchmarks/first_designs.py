@@ -6,18 +6,21 @@ Random requests: kinds without a file, edges of 30 to 120 mm, 1 to 4 sensors and
 Each is placed as `instobj new` places it; then walks from ever new seeds go on from the best so far, with the
 same shell, magnets, range and numbers. Both are judged by the presses of a layer, without a mesh. Writes
 `first_designs.json`: median and 95th percentile of the position bound, and ratios. The chain is not run.
+A call that was cut short goes on at the request where it stopped.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
+from functools import partial
+from pathlib import Path
 
 import numpy as np
-from harness import Result, conclude, machine, option_parser
+from harness import Result, conclude, kept, machine, option_parser, parts_folder
 
 from design.errors import InputError
-from design.placement.objects import Request, Tables, spec_of
+from design.placement.objects import Request, spec_of
 from estimator.layouts.without_mesh import first_score
 from instobj.commands.first_layout import improved
 from instobj.commands.new import designed
@@ -26,19 +29,17 @@ KINDS = ("box", "cylinder", "capsule", "sphere", "ellipsoid", "dome", "pad")
 _EDGES_MM, _ROUND_KINDS = (30.0, 120.0), ("cylinder", "capsule", "dome")
 
 
-def measure(requests: int, seconds: float) -> Result:
-    """A row for each request that finds room, and how many did not."""
-    rows, refused, number = [], 0, 0
+def measure(requests: int, seconds: float, parts: Path) -> Result:
+    """A row for each request that finds room, and how many did not; rows in `parts` are kept."""
+    rows, refused = list[Result](), 0
     while len(rows) < requests:
-        request = random_request(number)
-        number += 1
-        try:
-            tables, failed = designed(request)
-        except InputError:
+        number = len(rows) + refused
+        row = kept(parts, str(number), partial(_row, random_request(number), seconds))
+        if row is None:
             refused += 1
-            continue
-        rows.append(_row(request, tables, bool(failed), seconds))
-        print(rows[-1], flush=True)
+        else:
+            rows.append(row)
+            print(number, row, flush=True)
     about = {"machine": machine(1, ["numpy", "torch"]), "seconds": seconds, "refused": refused}
     ratios = {
         f"{of} over longer search": {
@@ -63,7 +64,11 @@ def random_request(number: int) -> Request:
     return Request(kind, size, int(rng.integers(1, 5)), int(rng.integers(1, 10)))
 
 
-def _row(request: Request, tables: Tables, fails: bool, seconds: float) -> Result:
+def _row(request: Request, seconds: float) -> Result | None:
+    try:
+        tables, failed = designed(request)
+    except InputError:
+        return None
     first = first_score(spec_of(tables))
     began, seed = time.process_time(), 0
     best, least = improved(tables, 0)
@@ -75,7 +80,7 @@ def _row(request: Request, tables: Tables, fails: bool, seconds: float) -> Resul
     return {
         "request": [request.kind, request.size_mm, request.sensors, request.magnets],
         "searches": seed,
-        "fails fabrication": fails,
+        "fails fabrication": bool(failed),
         "within limit": [first.within, longer.within],
         "median_mm": [first.median_mm, longer.median_mm],
         "percentile_95_mm": [first.percentile_95_mm, longer.percentile_95_mm],
@@ -99,7 +104,8 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=300.0, help="of one core, a request")
     options = parser.parse_args()
     requests, seconds = (2, 5.0) if options.quick else (options.requests, options.seconds)
-    conclude("first_designs", options, measure(requests, seconds), report)
+    parts = parts_folder("first_designs", f"{seconds:g}s", options, {"machine": machine(1, ())})
+    conclude("first_designs", options, measure(requests, seconds, parts), report)
 
 
 if __name__ == "__main__":

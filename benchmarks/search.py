@@ -42,6 +42,7 @@ from fem.candidates.motions import CandidateMotions, candidate_lattices
 from fem.candidates.presses import presses_at_forces, simulate_candidates
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import magnet_free_mesh, tetrahedralize
+from tests.support.mechanics.candidate_cases import motions_at
 
 FACE = 3
 RATE_TARGET, RATIO_TARGET, ERROR_TARGET, RANK_TARGET = 1e4, 1e3, 0.05, 0.95
@@ -129,7 +130,7 @@ def _signals(
     points = core.to_object(np.concatenate([sensor_mm, depth], axis=1)) / 1e3
     field = np.zeros(())
     for frame in face_frames(spec):
-        motion = motions.motions_at(frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[FACE - 1]
+        motion = motions_at(motions, frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[FACE - 1]
         motion = scale * motion.reshape(-1, len(magnet_mm), 6)
         motion = np.concatenate([motion, 0 * motion[:1]])  # rest is the last state
         centres = frame.to_object(magnet_mm * [1, 1, -1])

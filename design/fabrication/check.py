@@ -7,9 +7,10 @@ an undercut is taken as the undercut's depth over the thickness of the wall that
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+
+import trimesh
 
 from design.build.parts import parts_of
 from design.errors import NotOneSolid
@@ -31,9 +32,6 @@ from design.solids.booleans import TRIANGLES, convert_to_triangles, stl_surface
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 
-if TYPE_CHECKING:
-    import trimesh
-
 SLIVER_MM3 = 1.0
 """Separate pieces below this volume come loose in the print."""
 
@@ -47,15 +45,27 @@ class Checked:
 
 
 def check_fabrication(
-    spec: ObjectSpec, progress: Callable[[str], None] = lambda message: None
+    spec: ObjectSpec,
+    progress: Callable[[str], None] = lambda message: None,
+    but: Collection[str] | None = None,
 ) -> Checked:
-    """All checks of an object, part by part.
+    """All checks of an object, part by part; with `but`, up to the first failure of a check that it lacks.
 
     A part that falls into pieces is a finding itself; where its surface does not close, the checks
     that need it are left out.
     """
-    findings: list[Finding] = []
-    meshes: dict[str, trimesh.Trimesh] = {}
+    findings, meshes = list[Finding](), dict[str, trimesh.Trimesh]()
+    for finding in _findings(spec, meshes, progress):
+        findings.append(finding)
+        if but is not None and finding.status == "fail" and finding.check not in but:
+            break
+    return Checked(findings, meshes)
+
+
+def _findings(
+    spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh], progress: Callable[[str], None]
+) -> Iterator[Finding]:
+    """Yield findings as parts are made; `meshes` takes the triangles of each part that closes."""
     for part in parts_of(spec):
         progress(f"checking {part.name}")
         try:
@@ -63,19 +73,19 @@ def check_fabrication(
         except NotOneSolid as error:
             shape = error.shape
         solid_findings, mesh = check_solid(part.name, shape, spec)
-        findings += solid_findings
+        yield from solid_findings
         if mesh is not None:
             meshes[part.name] = mesh
-            findings += check_walls(part, mesh, spec)
-            findings += [*check_edges(part, mesh), *check_bed(part, mesh, spec)]
-    findings += [*check_features(spec), *check_inhibition(spec), *check_pockets(spec)]
+            yield from check_walls(part, mesh, spec)
+            yield from (*check_edges(part, mesh), *check_bed(part, mesh, spec))
+    yield from (*check_features(spec), *check_inhibition(spec), *check_pockets(spec))
     if "core" in meshes:
         progress("checking boards, chips and wires")
-        findings += check_electronics(spec, meshes["core"])
+        yield from check_electronics(spec, meshes["core"])
     progress("checking the jig and the templates")
-    findings += check_tools(spec, meshes)
+    yield from check_tools(spec, meshes)
     progress("checking the mould")
-    return Checked(findings + check_casting(spec, meshes), meshes)
+    yield from check_casting(spec, meshes)
 
 
 def check_solid(

@@ -60,7 +60,7 @@ def influence(
             neighbours = _neighbours(spec, lattice, angle, first)
             if not neighbours.distances:
                 continue
-            rows = candidate_rows(space, neighbours.centre_mm, neighbours.axes, body)
+            rows = candidate_rows(space, neighbours.centre_mm, neighbours.axes, body).motions
             sources = {item.depth_mm: item for item in tied if item.face == lattice.face}
             fields = np.stack(
                 [

@@ -118,18 +118,6 @@ class CandidateMotions:
         nearest = int(abs(middle - force_n).argmin())
         return [2 * nearest, 2 * nearest + 1]
 
-    def motions_at(
-        self,
-        face: int,
-        xy_mm: Float[np.ndarray, "magnet 2"],
-        depth_mm: Float[np.ndarray, "magnet"],
-    ) -> Float[np.ndarray, "face place step magnet 6"]:
-        """Motions of magnets anywhere among one face's candidates, in all presses of all faces."""
-        index, weight = self.weights(face, np.column_stack([xy_mm, depth_mm]))
-        # m magnet, k of its 64 candidates, f pressed face, r mode, v of 6 motions; p place, s step
-        mixed = np.einsum("mk,mkfrv->mfrv", weight, self.by_candidate[index])
-        return np.einsum("fpsr,mfrv->fpsmv", self.presses, mixed, optimize=True)
-
     def weights(
         self, face: int, xyd_mm: Float[np.ndarray, "magnet 3"]
     ) -> tuple[Int[np.ndarray, "magnet 64"], Float[np.ndarray, "magnet 64"]]:

@@ -9,7 +9,8 @@ the same mesh).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -33,15 +34,18 @@ from fem.candidates.motions import (
     known_places,
     save_candidates,
 )
-from fem.candidates.rigid_body import RigidBody, candidate_rows, strain_rows, tied_magnets
+from fem.candidates.rigid_body import (
+    BodyRows,
+    RigidBody,
+    candidate_rows,
+    tied_magnets,
+)
 from fem.linear.factorization import Factorization
 from fem.linear.response import (
     ResponseOperator,
-    displacements,
     elastic_system,
     face_pressure_loads,
 )
-from fem.linear.sparse import rows_of, shape_of
 from fem.mesh.tetrahedra import TetMesh
 from fem.presses.table import press_places, surface_weights_mm2
 
@@ -57,7 +61,7 @@ _LEAST_MOTION = 1e-3
 are solved by the energy that they leave, until all faces' fall below. On the paper's cube half of 3136
 patterns are; position bounds change by 0.6 % (rms over places of seven layouts at 3.5 N, 2.4 % at 1 N, where
 the worst place changes by 16 %), where the level itself scatters by 11 %."""
-_CHUNK = 64
+_CHUNK = 32
 """Right-hand sides solved at once: it bounds the memory."""
 
 Progress = Callable[[str], None]
@@ -72,6 +76,10 @@ class PressesAtForce:
     force_n: Float[np.ndarray, "place step"]
     depth_mm: Float[np.ndarray, "place step"]
     deepest_n: Float[np.ndarray, "place"]
+
+
+_InPatterns = tuple[PressesAtForce, np.ndarray, np.ndarray]
+"""Presses of a face, each press's share of its patterns of pressure, and the patterns (`_patterns`)."""
 
 
 def _kept(folder: Path, face: int, make: Callable[[], PressesAtForce]) -> PressesAtForce:
@@ -110,12 +118,23 @@ def simulate_candidates(
     SingularSystemError
         The matrix could not be factored.
     """
-    presses = []
-    for index, surface in enumerate(response.surfaces):
+
+    def pressed(index: int) -> _InPatterns:
+        number = response.surfaces[index].number
         make = partial(presses_at_forces, spec, response, index, force_shares)
-        presses.append(make() if unfinished is None else _kept(unfinished, surface.number, make))
+        presses = make() if unfinished is None else _kept(unfinished, number, make)
         if progress:
-            progress(f"face {surface.number}: contact at {len(presses[-1].force_n)} places")
+            progress(f"face {number}: contact at {len(presses.force_n)} places")
+        loads = response.face_loads(index)
+        share, patterns = _patterns(presses.pressure_mpa, response.compliance[loads, loads])
+        # patterns hold all of the pressures, which take the most memory
+        without = replace(presses, pressure_mpa=presses.pressure_mpa[..., :0])
+        return without, share.astype(np.float32), patterns
+
+    # contact of faces to come on a second core, while this one solves
+    with ThreadPoolExecutor(1) as ahead:
+        begin = partial(ahead.submit, pressed)
+        presses, recorded, body, between = _record(spec, mesh, response, begin, lattices, progress)
     has_place = pressed_nodes(spec)
     force, depth, deepest = (
         np.stack(
@@ -126,7 +145,6 @@ def simulate_candidates(
         )
         for name in ("force_n", "depth_mm", "deepest_n")
     )
-    recorded, body, between = _record(spec, mesh, response, presses, lattices, progress)
     modes = max(len(face_motions.presses.T) for face_motions in recorded)
     count = sum(len(lattice) for lattice in lattices)
     motions_file = Path(folder) / MOTIONS_FILE
@@ -207,43 +225,44 @@ def _record(
     spec: ObjectSpec,
     mesh: TetMesh,
     response: ResponseOperator,
-    presses: list[PressesAtForce],
+    begin_contact: Callable[[int], Future[_InPatterns]],
     lattices: tuple[FaceCandidates, ...],
     progress: Progress | None,
-) -> tuple[list[_Recorded], RigidBody, Influence]:
+) -> tuple[list[PressesAtForce], list[_Recorded], RigidBody, Influence]:
     """Record every pressed face; return the magnet that moves so and how others move it too."""
+    coming = begin_contact(0)
     system = elastic_system(mesh, spec)
-    tractions = face_pressure_loads(system.space, spec)[1]
+    basis = sp.csr_matrix(system.motion_basis, dtype=np.float32)
+    loads = sp.csc_matrix(basis.T @ face_pressure_loads(system.space, spec)[1], dtype=np.float32)
     is_known = [
         np.repeat(known_places(spec, candidates), len(candidates.depth_mm))
         for candidates in lattices
     ]
-    filled, recorded = filled_candidates(lattices, is_known), []
-    with Factorization(system.matrix) as factor:
+    filled, presses, recorded = filled_candidates(lattices, is_known), [], []
+    with Factorization(system.matrix, single=True) as factor:
         body, tied = tied_magnets(spec, system, factor, lattices)
         between = influence(spec, system.space, body, tied, lattices)
         placed = [
             _placed(spec, lattice.face, lattice.xyd_mm[here])
             for lattice, here in zip(lattices, is_known, strict=True)
         ]
-        rows = [_single(candidate_rows(system.space, *place, body)) for place in placed]
-        strained = [_single(strain_rows(system.space, *place, body)) for place in placed]
-        for index, press in enumerate(presses):
-            own_loads, number = response.face_loads(index), response.surfaces[index].number
-            share, patterns = _patterns(
-                press.pressure_mpa, response.compliance[own_loads, own_loads]
-            )
+        whole = [candidate_rows(system.space, *place, body) for place in placed]
+        # in single precision, in which motions are stored: half the memory and time
+        whole = [BodyRows(rows.columns, rows.weights.astype(np.float32)) for rows in whole]
+        for index, surface in enumerate(response.surfaces):
+            face_presses, share, patterns = coming.result()
+            if index + 1 < len(response.surfaces):
+                coming = begin_contact(index + 1)
+            own_loads, number = response.face_loads(index), surface.number
             (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
-            all_rows = [*rows[:under], rows_of([rows[under], strained[under]]), *rows[under + 1 :]]
-            loads = tractions[:, own_loads] @ patterns.T
-            moved = _moved(
-                system, factor, loads, all_rows, [shape_of(face_rows)[0] for face_rows in rows]
-            )
-            moved[under], strain = np.split(moved[under], [shape_of(rows[under])[0]])
-            solved = strain.shape[1]
-            motion, of_patterns = compressed(np.concatenate(moved).reshape(-1, 6, solved))
-            strain = (strain @ of_patterns.astype(np.float32)).reshape(-1, 5, of_patterns.shape[1])
+            rows = [whole[k] if k == under else whole[k].motions for k in range(len(whole))]
+            moved = _moved(basis, factor, loads[:, own_loads], patterns, rows)
+            moved[under], strain = np.split(moved[under], [6], axis=1)
+            solved = strain.shape[2]
+            motion, of_patterns = compressed(np.concatenate(moved))
+            strain = strain @ of_patterns.astype(np.float32)
             begin = sum(map(len, lattices[:under]))
+            presses.append(face_presses)
             recorded.append(
                 _Recorded(
                     slice(begin, begin + len(lattices[under])),
@@ -251,40 +270,42 @@ def _record(
                         strain.transpose(0, 2, 1)
                     ),
                     filled(motion),
-                    (share[:, :solved] @ of_patterns).astype(np.float32),
+                    share[:, :solved] @ of_patterns.astype(np.float32),
                 )
             )
             if progress:
                 progress(f"face {number}: {len(share)} presses")
-    return recorded, body, between
-
-
-def _single(rows: sp.csr_matrix) -> sp.csr_matrix:
-    """Return rows in single precision, in which motions are stored: half the memory and time."""
-    return sp.csr_matrix(rows, dtype=np.float32)
+    return presses, recorded, body, between
 
 
 def _moved(
-    system: ElasticSystem,
+    basis: sp.csr_matrix,
     factor: Factorization,
-    loads_n: Float[np.ndarray, "n pattern"],
-    rows: Sequence[sp.csr_matrix],
-    motions: Sequence[int],
-) -> list[Float32[np.ndarray, "row solved"]]:
+    loads_n: sp.csc_matrix,
+    patterns: Float[np.ndarray, "pattern vertex"],
+    rows: Sequence[BodyRows],
+) -> list[Float32[np.ndarray, "candidate figure solved"]]:
     """Return what rows of every face give under patterns, as many as have motions above `_LEAST_MOTION`.
 
-    The first `motions` of a face's rows are those of candidates. Once they fall below it, the face's rows
-    stay 0.
+    The first six figures are motions of candidates. Once they fall below it, the face's rows stay 0. Loads
+    act on the free displacements, of which `basis` makes those of the nodes.
     """
-    chunks: list[list[np.ndarray]] = [[] for _ in rows]
+    moved: list[list[np.ndarray]] = [[] for _ in rows]
     active, largest = list(range(len(rows))), 0.0
-    for first in range(0, loads_n.shape[1], _CHUNK):
-        fields = displacements(system, factor, loads_n[:, first : first + _CHUNK])
-        fields = np.ascontiguousarray(fields, np.float32)
+    for first in range(0, len(patterns), _CHUNK):
+        some = patterns[first : first + _CHUNK].T.astype(np.float32)
+        pressed: np.ndarray = loads_n @ some
+        right = np.zeros((factor.unknowns, some.shape[1]), np.float32, order="F")
+        right[: len(pressed)] = pressed
+        fields = basis @ factor.solve(right)[: len(pressed)].astype(np.float32)
         sizes = {}
-        for face in active:
-            chunks[face].append(rows[face] @ fields)
-            motion = chunks[face][-1][: motions[face]].reshape(-1, 2, 3, fields.shape[1])
+        for face, of_face in enumerate(rows):
+            if face not in active:
+                shape = (*of_face.weights.shape[:2], some.shape[1])
+                moved[face].append(np.zeros(shape, np.float32))
+                continue
+            moved[face].append(of_face @ fields)
+            motion = moved[face][-1][:, :6].reshape(-1, 2, 3, some.shape[1])
             # c candidate, t displacement or rotation, i component, p pattern
             squared = np.einsum("ctip,ctip->tp", motion, motion, dtype=float)
             sizes[face] = float(np.sqrt((squared[0] + MM_PER_RAD**2 * squared[1]).max()))
@@ -292,12 +313,7 @@ def _moved(
         active = [face for face in active if sizes[face] >= _LEAST_MOTION * largest]
         if not active:
             break
-    solved = max(sum(chunk.shape[1] for chunk in of_face) for of_face in chunks)
-    moved = [np.zeros((shape_of(face_rows)[0], solved), np.float32) for face_rows in rows]
-    for of_face, values in zip(chunks, moved, strict=True):
-        first_columns = np.hstack(of_face)
-        values[:, : first_columns.shape[1]] = first_columns
-    return moved
+    return [np.concatenate(chunks, axis=2) for chunks in moved]
 
 
 def _patterns(

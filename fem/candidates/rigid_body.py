@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.layout.body import face_frame
 from design.layout.pockets import shell_bodies
@@ -39,6 +39,7 @@ from fem.candidates.tied_magnets import (
 from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, displacements
+from fem.linear.sparse import shape_of
 
 CIRCLES, AROUND = 2, 8
 """Circles on a magnet's flat sides, and points on each: exact for polynomials of degree 3 (`quadrature`).
@@ -50,6 +51,8 @@ _OF_THE_COVER = 0.8
 
 Below 1, so that all points of a magnet's skin stay inside the silicone.
 """
+_TOGETHER = 256
+"""Bodies whose displacements are gathered at once: it bounds the memory."""
 _TOLD_APART = 1e-4
 """Share of the largest flexibility below which a mean gets no weight.
 
@@ -152,65 +155,69 @@ def tied_magnets(
     return RigidBody(points, *of_points), tied
 
 
+@dataclass(frozen=True)
+class BodyRows:
+    """Figures of rigid bodies under nodal displacements: weights of the degrees of freedom round each body,
+    of 0 where it has fewer than others.
+
+    `rows @ displacements` gives (body, figure, k).
+    """
+
+    columns: Int[np.ndarray, "body column"]
+    weights: Float[np.ndarray, "body figure column"]
+
+    def __matmul__(self, displacements: Float[np.ndarray, "degree *k"]) -> np.ndarray:
+        fields = displacements.reshape(len(displacements), -1)
+        parts = [
+            self.weights[first : first + _TOGETHER]
+            @ fields[self.columns[first : first + _TOGETHER]]
+            for first in range(0, len(self.weights), _TOGETHER)
+        ]
+        return np.concatenate(parts).reshape(*self.weights.shape[:2], *displacements.shape[1:])
+
+    @property
+    def motions(self) -> BodyRows:
+        """The first six figures."""
+        return BodyRows(self.columns, self.weights[:, :6])
+
+
 def candidate_rows(
     space: DisplacementSpace,
     centres_mm: Float[np.ndarray, "body 3"],
     axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
     body: RigidBody,
-) -> sp.csr_matrix:
-    """Motions (c, ω) of rigid bodies at these places under nodal displacements; (6·body, 3·node).
+) -> BodyRows:
+    """Motions (c, ω) of rigid bodies at these places, in the object's frame, then strains round them.
 
-    `axes` are the body's x, y and axis as columns, one frame of all places or of each; motions are
-    given in the object's frame.
+    The silicone would have these strains without the bodies; they are shares of `STRAINS` in a body's frame.
+    `axes` are its x, y and axis as columns, one frame of all places or of each.
     """
-    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
-    local = body.weights.reshape(2, 3, 3, -1)
-    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point;
-    # i and j the same two in the object's frame
-    turned = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
-    return _weighted_rows(space, centres_mm, each, body, turned.reshape(len(each), 6, 3, -1))
-
-
-def strain_rows(
-    space: DisplacementSpace,
-    centres_mm: Float[np.ndarray, "body 3"],
-    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
-    body: RigidBody,
-) -> sp.csr_matrix:
-    """Strains round bodies at these places, in their own frames as shares of `STRAINS`, that the silicone
-    would have without them; (5·body, 3·node)."""
-    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
-    # s strain, in the body's own frame; m own axis of u, j the same in the object's frame
-    turned = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
-    return _weighted_rows(space, centres_mm, each, body, turned)
-
-
-def _weighted_rows(
-    space: DisplacementSpace,
-    centres_mm: Float[np.ndarray, "body 3"],
-    axes: Float[np.ndarray, "body 3 3"],
-    body: RigidBody,
-    weights: Float[np.ndarray, "body row 3 point"],
-) -> sp.csr_matrix:
-    """Sums over the bodies' points, body by body, of displacement components in the object's frame."""
     count, points = len(centres_mm), len(body.points_mm)
-    skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
+    each = np.broadcast_to(axes, (count, 3, 3))
+    local = body.weights.reshape(2, 3, 3, -1)
+    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point, s strain;
+    # i and j own axes in the object's frame
+    moved = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
+    strained = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
+    weights = np.concatenate([moved.reshape(count, 6, 3, -1), strained], axis=1)
+    skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(each, 1, 2)
     values = interpolate_at(space, skin_mm.reshape(-1, 3))
-    # CSR by hand: row b holds the weights of the points of body b, which follow each other.
-    ends, columns = np.arange(0, count * points + 1, points), np.arange(count * points)
-
-    def mean(weights: Float[np.ndarray, "body point"]) -> sp.csr_matrix:
-        rows = sp.csr_matrix((weights.ravel(), columns, ends), shape=(count, count * points))
-        return sp.csr_matrix(rows @ values)
-
-    rows = weights.shape[1]
-    blocks = [
-        sp.hstack([mean(weights[:, row, component]) for component in range(3)])
-        for row in range(rows)
-    ]
-    # From (row, body) to (body, row): all rows of a body together.
-    order = np.arange(rows * count).reshape(rows, count).T.ravel()
-    return sp.csr_matrix(sp.vstack(blocks))[order]
+    nodes = values.indices.reshape(count, -1)
+    # number a body's nodes: the rank of each entry among the different ones
+    order = nodes.argsort(axis=1)
+    ranked = np.take_along_axis(nodes, order, 1)
+    rank = (np.diff(ranked, axis=1, prepend=ranked[:, :1]) > 0).cumsum(axis=1)
+    number = np.empty_like(rank)
+    np.put_along_axis(number, order, rank, 1)
+    of_body = np.zeros((count, rank.max() + 1), int)
+    np.put_along_axis(of_body, number, nodes, 1)
+    shares = np.zeros((count, points, of_body.shape[1]))
+    point = np.repeat(np.arange(points), nodes.shape[1] // points)
+    shares[np.arange(count)[:, None], point, number] = values.data.reshape(count, -1)
+    # the three components of a node lie a whole space apart
+    columns = of_body[:, None] + shape_of(values)[1] * np.arange(3)[:, None]
+    of_nodes = (weights.reshape(count, -1, points) @ shares).reshape(count, weights.shape[1], -1)
+    return BodyRows(columns.reshape(count, -1), of_nodes)
 
 
 def _middle_places(

@@ -76,7 +76,76 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
     return Compliance(-schur, solver.negative_pivots)
 
 
-class LoadedFactor:
+def _bordered(
+    matrix: sp.csr_matrix, loads: sp.csr_matrix
+) -> tuple[sp.csr_matrix, Bool[np.ndarray, "every"]]:
+    """[[A, L], [Lᵀ, 0]], and which of its unknowns are the loads'."""
+    size, count = shape_of(loads)
+    empty = sp.csr_matrix((count, count))
+    bordered = block_matrix([[matrix, loads], [loads.T.tocsr(), empty]])
+    return bordered, np.arange(size + count) >= size
+
+
+def _bordered_triangle(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> sp.csr_matrix:
+    """The upper triangle of [[A, L], [Lᵀ, 0]] with its whole diagonal stored."""
+    size, count = shape_of(loads)
+    last = np.arange(count)
+    zeros = sp.csr_matrix((np.zeros(count), (last, size + last)), shape=(count, size + count))
+    return rows_of([columns_of([upper_triangle(matrix), loads]), zeros])
+
+
+def solve_symmetric(
+    matrix: sp.csr_matrix, right_sides: Float[np.ndarray, "n m"]
+) -> Float[np.ndarray, "n m"]:
+    """Solve A x = b for a symmetric, possibly indefinite A and several right sides.
+
+    Raises
+    ------
+    SingularSystemError
+        A is singular to working precision.
+    """
+    with Factorization(matrix) as factor:
+        return factor.solve(right_sides)
+
+
+class Factorization:
+    """A symmetric, possibly indefinite matrix A, factored once and solved as often as needed.
+
+    Use it as a context: the factor (1 GB for the default mesh) is given back at its end.
+    `negative_pivots` is the number of negative eigenvalues of A (−1: unknown). In single precision, which
+    PARDISO alone has, solutions are right to 1e-5 (the paper's cube), for half the memory and time.
+
+    Raises
+    ------
+    SingularSystemError
+        A is singular to working precision.
+    """
+
+    def __init__(self, matrix: sp.csr_matrix, single: bool = False) -> None:
+        self._solver: Any = solver_of(matrix, single)
+        self.negative_pivots: int = getattr(self._solver, "negative_pivots", -1)
+        self.unknowns = shape_of(matrix)[0]
+
+    def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
+        """x of A x = b for every column b."""
+        if self._solver is None:
+            raise ValueError("the factorization was released. Solve inside its context")
+        return self._solver.solve(right_sides)
+
+    def release(self) -> None:
+        """Give the memory of the factor back; nothing can be solved afterwards."""
+        if isinstance(self._solver, Pardiso):
+            self._solver.release()
+        self._solver = None
+
+    def __enter__(self) -> Factorization:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+
+class LoadedFactor(Factorization):
     """Factorization of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
 
     Costs no more time than the compliance alone, but its memory (1.5 GB for the default mesh) until it is
@@ -116,94 +185,15 @@ class LoadedFactor:
         extended = self._solver.extend_kept(-np.asarray(weights, float))
         return extended[: len(extended) - self._loads]
 
-    def release(self) -> None:
-        """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, Pardiso):
-            self._solver.release()
-        self._solver = None
 
-    def __enter__(self) -> LoadedFactor:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
-
-
-def _bordered(
-    matrix: sp.csr_matrix, loads: sp.csr_matrix
-) -> tuple[sp.csr_matrix, Bool[np.ndarray, "every"]]:
-    """[[A, L], [Lᵀ, 0]], and which of its unknowns are the loads'."""
-    size, count = shape_of(loads)
-    empty = sp.csr_matrix((count, count))
-    bordered = block_matrix([[matrix, loads], [loads.T.tocsr(), empty]])
-    return bordered, np.arange(size + count) >= size
-
-
-def _bordered_triangle(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> sp.csr_matrix:
-    """The upper triangle of [[A, L], [Lᵀ, 0]] with its whole diagonal stored."""
-    size, count = shape_of(loads)
-    last = np.arange(count)
-    zeros = sp.csr_matrix((np.zeros(count), (last, size + last)), shape=(count, size + count))
-    return rows_of([columns_of([upper_triangle(matrix), loads]), zeros])
-
-
-def solve_symmetric(
-    matrix: sp.csr_matrix, right_sides: Float[np.ndarray, "n m"]
-) -> Float[np.ndarray, "n m"]:
-    """Solve A x = b for a symmetric, possibly indefinite A and several right sides.
-
-    Raises
-    ------
-    SingularSystemError
-        A is singular to working precision.
-    """
-    with Factorization(matrix) as factor:
-        return factor.solve(right_sides)
-
-
-class Factorization:
-    """A symmetric, possibly indefinite matrix A, factored once and solved as often as needed.
-
-    Use it as a context: the factor (1 GB for the default mesh) is given back at its end.
-    `negative_pivots` is the number of negative eigenvalues of A (−1: unknown).
-
-    Raises
-    ------
-    SingularSystemError
-        A is singular to working precision.
-    """
-
-    def __init__(self, matrix: sp.csr_matrix) -> None:
-        self._solver: Any = solver_of(matrix)
-        self.negative_pivots: int = getattr(self._solver, "negative_pivots", -1)
-
-    def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
-        """x of A x = b for every column b."""
-        if self._solver is None:
-            raise ValueError("the factorization was released. Solve inside its context")
-        return self._solver.solve(np.asarray(right_sides, float))
-
-    def release(self) -> None:
-        """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, Pardiso):
-            self._solver.release()
-        self._solver = None
-
-    def __enter__(self) -> Factorization:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
-
-
-def solver_of(matrix: sp.csr_matrix) -> Any:
-    """A factored matrix that solves."""
+def solver_of(matrix: sp.csr_matrix, single: bool = False) -> Any:
+    """A factored matrix that solves; in single precision where PARDISO is there."""
     if not pardiso_available():
         try:
             return eliminate(matrix)
         except SingularSystemError:
             return _superlu(matrix)
-    solver = Pardiso(upper_triangle(matrix))
+    solver = Pardiso(upper_triangle(matrix), single)
     try:
         solver.factor()
     except BaseException:
@@ -259,17 +249,18 @@ def _files_of(distribution: str) -> list[Any]:
 class Pardiso:
     """One symmetric indefinite matrix in PARDISO, by its upper triangle; indices are one-based there."""
 
-    def __init__(self, upper: sp.csr_matrix) -> None:
+    def __init__(self, upper: sp.csr_matrix, single: bool = False) -> None:
         size = shape_of(upper)[0]
-        self.values = upper.data
+        self.type = np.dtype(np.float32 if single else np.float64)
+        self.values = upper.data.astype(self.type, copy=False)
         self.row_start = (upper.indptr + 1).astype(np.int32)
         self.columns = (upper.indices + 1).astype(np.int32)
         self.handle = np.zeros(64, np.int64)
         self.marked = np.zeros(size, np.int32)
         self.parameters = np.zeros(64, np.int32)
         # own settings; METIS ordering; perturb pivots below 1e-8; Bunch–Kaufman; the two-level algorithm,
-        # which takes 7 % less time on one core too; report the inertia
-        for index, value in ((0, 1), (1, 2), (9, 8), (20, 1), (23, 1)):
+        # which takes 7 % less time on one core too; single precision; report the inertia
+        for index, value in ((0, 1), (1, 2), (9, 8), (20, 1), (23, 1), (27, int(single))):
             self.parameters[index] = value
         self._function = mkl_library().pardiso  # type: ignore[union-attr]
 
@@ -279,15 +270,15 @@ class Pardiso:
             _pointer(self.handle, ctypes.c_int64),
             *(ctypes.byref(ctypes.c_int32(v)) for v in (1, 1, _SYMMETRIC_INDEFINITE, phase)),
             ctypes.byref(ctypes.c_int32(len(self.row_start) - 1)),
-            _pointer(self.values, ctypes.c_double),
+            _pointer(self.values, ctypes.c_void_p),
             _pointer(self.row_start, ctypes.c_int32),
             _pointer(self.columns, ctypes.c_int32),
             _pointer(self.marked, ctypes.c_int32),
             ctypes.byref(ctypes.c_int32(1 if right_sides.ndim == 1 else right_sides.shape[1])),
             _pointer(self.parameters, ctypes.c_int32),
             ctypes.byref(ctypes.c_int32(0)),
-            _pointer(right_sides, ctypes.c_double),
-            _pointer(solution, ctypes.c_double),
+            _pointer(right_sides, ctypes.c_void_p),
+            _pointer(solution, ctypes.c_void_p),
             ctypes.byref(error),
         )
         if error.value == -2:
@@ -300,7 +291,7 @@ class Pardiso:
 
     def factor(self) -> None:
         """Analyse and factor; a pattern that was met before keeps its order."""
-        unused = np.zeros(len(self.marked))
+        unused = np.zeros(len(self.marked), self.type)
         pattern = hashlib.blake2b(self.row_start.tobytes())
         pattern.update(self.columns.tobytes())
         order = KEPT_ORDERS.pop(pattern.hexdigest(), None)
@@ -333,13 +324,13 @@ class Pardiso:
         return solution
 
     def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
-        rhs = np.asfortranarray(right_sides)
+        rhs = np.asfortranarray(right_sides, self.type)
         solution = np.zeros_like(rhs, order="F")
         self.call(_SOLVE, rhs, solution)
         return solution
 
     def release(self) -> None:
-        unused = np.zeros(len(self.marked))
+        unused = np.zeros(len(self.marked), self.type)
         self.call(_RELEASE, unused, unused)
 
     @property

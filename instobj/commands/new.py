@@ -29,7 +29,6 @@ from design.layout.mould.frame import (
     mould_style,
     parting,
     undercut_depth_mm,
-    undercut_fraction,
 )
 from design.layout.places.coverage import covered_share
 from design.placement.asked import most_printed_mm, placements
@@ -185,11 +184,11 @@ def designed(request: Request) -> Made:
     with _timed_stage(progress, "places by rules"):
         placed = next(placements(request))
     best = _first_that_can_be_made(scored_first(request, placed), _OF_THE_BODY, progress)
-    if best is not None and _checks(best) <= _OF_THE_BODY:
+    if best is not None:
         return best
     with _timed_stage(progress, "other shells and seams, checked for fabrication"):
         by_rules = made(request)
-    if by_rules[0] != placed:
+    if by_rules[0] != placed or by_rules[1]:
         layouts = scored_first(request, by_rules[0])
         best = _first_that_can_be_made(layouts, _checks(by_rules), progress)
     return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
@@ -207,31 +206,26 @@ def _timed_stage(progress: ProgressLine, title: str) -> Iterator[None]:
 def _first_that_can_be_made(
     layouts: Iterator[Tables], but: set[str], progress: ProgressLine
 ) -> Made | None:
-    """The first of some layouts of which nothing fails `but` these checks, else that with the fewest
-    failures; None of none."""
-    best: Made | None = None
+    """The first of some layouts of which nothing fails `but` these checks; None of none."""
     while True:
         with _timed_stage(progress, "better places for magnets and sensors"):
             tables = next(layouts, None)
         if tables is None:
-            break
+            return None
         with _timed_stage(progress, "checks of fabrication"):
             # a wall that numbers find thin may be thick enough as a solid
-            checked = _checked_seams(tables) or _checked(islice(seams_of(tables), 1))
-        if checked is not None and (best is None or len(checked[1]) < len(best[1])):
-            best = checked
-        if best is not None and _checks(best) <= but:
-            break
-    return best
+            checked = _checked_seams(tables, but) or _checked(islice(seams_of(tables), 1), but)
+        if checked is not None and _checks(checked) <= but:
+            return checked
 
 
 def _checks(checked: Made) -> set[str]:
     return {finding.check for finding in checked[1]}
 
 
-def _checked_seams(tables: Tables) -> Made | None:
+def _checked_seams(tables: Tables, but: set[str] | None = None) -> Made | None:
     """The first of some seams that can be made."""
-    return _checked(islice(filter(leaves_walls, seams_of(tables)), 1 + _MOST_TURNS))
+    return _checked(islice(filter(leaves_walls, seams_of(tables)), 1 + _MOST_TURNS), but)
 
 
 def _made_with_magnets_elsewhere(
@@ -248,16 +242,17 @@ def _made_with_magnets_elsewhere(
     return None
 
 
-def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
+def _checked(seams: Iterable[Tables], but: set[str] | None = None) -> Made | None:
     """The first of these that can be made, else the one with the fewest failures, and these; None of none.
 
-    The next is tried where walls of the mould alone are too thin.
+    The next is tried where walls of the mould alone are too thin. With `but`, what fails another check is
+    not looked at further.
     """
     from design.fabrication.check import check_fabrication
 
-    best: tuple[Tables, list[Finding]] | None = None
+    best: Made | None = None
     for tables in seams:
-        findings = check_fabrication(spec_of(tables)).findings
+        findings = check_fabrication(spec_of(tables), but=but).findings
         failed = [finding for finding in findings if finding.status == "fail"]
         if best is None or len(failed) < len(best[1]):
             best = tables, failed
@@ -269,7 +264,8 @@ def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
 def seams_of(tables: Tables) -> Iterator[Tables]:
     """Yield the layout as placed, then with the seam of the mould turned either way.
 
-    Turns that hook no more of the body come first (a fluted vase's by a whole flute).
+    Turns that hook less of the body come first (a fluted vase's by a whole flute); none hooks it deeper than
+    it gives way, or than as placed.
     """
     spec = spec_of(tables)
     if body_of(spec).from_file and mould_style(spec) == "split":
@@ -282,7 +278,11 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
-    yield from sorted(turns, key=lambda turn: round(undercut_fraction(spec_of(turn)), 3))
+    hooked = [undercut_depth_mm(spec_of(turn)) for turn in turns]
+    room_mm = max(undercut_depth_mm(spec), COMPLIANCE_FRACTION * spec.shell.thickness_mm)
+    # facets of a ball hook it by some hundredths
+    order = np.argsort(np.round(hooked, 1), kind="stable")
+    yield from (turns[k] for k in order if hooked[k] <= room_mm)
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:

@@ -44,7 +44,7 @@ _LARGEST_SHARE = 0.9
 _CUBE_NODES = 71_000
 _MESH_S, _CURVED_MESH_S = 2e-3, 8e-3
 """A vertex: the paper's cube took 15 to 28 s, the pear 73 s."""
-_RESPONSE_S, _SOLVE_S = 35.0, 0.05
+_RESPONSE_S, _SOLVE_S = 35.0, 0.03
 """Seconds of the paper's cube: the response, and one pattern of pressure at all candidates."""
 _PATTERNS_PER_LOAD = 0.75
 """Presses to three forces on every place of the cube's lattice are made of 466 to 482 for each face's 660."""
@@ -113,8 +113,8 @@ class SearchSeconds:
 
 
 def search_seconds(spec: ObjectSpec) -> SearchSeconds:
-    """Seconds on one core of the machine of docs/measured/benchmarks.md, rough: it took 1.1 times as long
-    on the paper's cube and 1.8 times on the pear, with other programs running; no other body was tried."""
+    """Seconds on one core of the machine of docs/measured/benchmarks.md, rough: it took 0.5 to
+    0.7 times as long on the paper's cube and a box, with other programs running; no other body was tried."""
     vertices = mesh_vertices(spec)
     nodes = _NODES_PER_VERTEX[spec.mechanics.element] * vertices
     curved = not all(frame.flat for frame in face_frames(spec))
@@ -143,8 +143,8 @@ def _candidates(spec: ObjectSpec) -> Need:
     modes = _MODES_PER_LOAD * _face_loads(spec) / faces
     # six motions of single precision: of all faces' presses, and three copies of one face's
     motions = _BYTES / 2 * 6 * count * modes * (faces + _COPIES)
-    # rows of six motions and five strains: values and columns
-    rows = _BYTES * 11 * count * _NODES_OF_CANDIDATE
+    # rows of six motions and five strains, in single precision
+    rows = _BYTES / 2 * 11 * count * _NODES_OF_CANDIDATE
     return Need(_response(spec).gib + (motions + rows) / _GIB, _MESH_KEYS)
 
 

@@ -157,7 +157,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=14,
+        version=15,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",

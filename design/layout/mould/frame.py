@@ -305,19 +305,6 @@ def _outside_in_small_triangles(body: BodyKind) -> trimesh.Trimesh:
     return trimesh.Trimesh(small[0], small[1], process=False)
 
 
-def undercut_fraction(spec: ObjectSpec) -> float:
-    """Return the share of the outside that faces the wrong way on either side of the seam.
-
-    Areas are those projected along the seam's normal.
-    """
-    surface, plane = _outside_in_small_triangles(body_of(spec).outside), parting(spec)
-    rise = np.asarray(surface.face_normals) @ plane.normal
-    side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
-    # The right way is outwards from the plane: normal and side have the same sign.
-    wrong = np.asarray(surface.area_faces) @ np.maximum(-side * rise - _SLOPE, 0)
-    return float(wrong / surface.area)
-
-
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:
     """Return the least area that faces the wrong way next to a plane with that normal, and its offset.
 

@@ -36,6 +36,7 @@ from tests.support.mechanics.candidate_cases import (
     chain_of_scene,
     made_up_motions,
     made_up_spec,
+    motions_at,
 )
 
 BOUND_TOLERANCE = 0.03
@@ -93,7 +94,7 @@ def scene_of(spec, motions, pressed, reads):
     centres = np.array([board.centre_mm for board in sensor_boards(spec)[index]])
     along = face_frames(spec)[index].from_plane(centres[:, :2])
     row = motions.faces.tolist().index(pressed)
-    motion = motions.motions_at(reads, along, -centres[:, 2])[row]
+    motion = motions_at(motions, reads, along, -centres[:, 2])[row]
     return Scene(magnets, sensors, chips, environment(spec), sensors_move=True), motion
 
 

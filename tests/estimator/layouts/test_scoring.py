@@ -25,6 +25,7 @@ from tests.support.mechanics.candidate_cases import (
     at_contacts,
     counts_of_scene,
     layout_scene,
+    motions_at,
     ordinary_chain,
     random_layouts,
 )
@@ -227,7 +228,9 @@ def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
     unfolded = own.reshape(len(xyd), 6, -1) @ presses.own_table.basis
     found = unfolded.reshape(len(xyd), 2, 3, 4, -1)[:, :, :, 3]
     at = xyd.double().numpy()
-    stored = at_contacts(spec, motions.motions_at(FACE, at[:, :2], at[:, 2])[FACE - 1]).mean(axis=1)
+    stored = at_contacts(spec, motions_at(motions, FACE, at[:, :2], at[:, 2])[FACE - 1]).mean(
+        axis=1
+    )
     axes = np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]).T
     wanted = (stored.reshape(*stored.shape[:2], 2, 3) @ axes).transpose(1, 2, 3, 0)
     assert_allclose(found, wanted, rtol=0, atol=2e-3 * abs(wanted).max())

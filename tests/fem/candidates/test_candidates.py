@@ -16,7 +16,7 @@ from fem.candidates.presses import simulate_candidates as simulate
 from fem.candidates.rigid_body import candidate_rows, tied_magnets
 from fem.linear.response import displacements, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
-from tests.support.mechanics.candidate_cases import motion_of
+from tests.support.mechanics.candidate_cases import motion_of, motions_at
 from tests.support.mechanics.fem_cases import paper_cube
 
 FACE = 3
@@ -111,7 +111,7 @@ def test_candidates_move_as_the_solved_field_does(cube, table, fields, body):
     first = sum(len(lattice) for lattice in table.candidates[: FACE - 1])
     for lattice, frame in zip(table.candidates[2:4], face_frames(cube.spec)[2:4], strict=True):
         points = frame.to_object(lattice.xyd_mm * [1, 1, -1])
-        rows = candidate_rows(cube.space, points, frame.axes, body)
+        rows = candidate_rows(cube.space, points, frame.axes, body).motions
         direct = (rows @ fields).reshape(len(lattice), 6, -1)
         found = motion_of(table)[FACE - 1, :, 1, first : first + len(lattice)]
         assert_allclose(np.moveaxis(found, 0, 2), direct, rtol=0, atol=1e-3 * abs(direct).max())
@@ -145,7 +145,7 @@ def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     index = np.array([0, 17, len(lattice) - 1])
     first = sum(len(one) for one in table.candidates[: FACE - 1])
     at = lattice.xyd_mm[index]
-    found = table.motions_at(FACE, at[:, :2], at[:, 2])
+    found = motions_at(table, FACE, at[:, :2], at[:, 2])
     assert_allclose(found, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
 
 
@@ -158,9 +158,9 @@ def missed(cube, table, fields, body, within=None):
     low, high = lattice.xyd_mm.min(axis=0), lattice.xyd_mm.max(axis=0)
     xyd = np.random.default_rng(9).uniform(low, high, (60, 3))
     points = frame.to_object(xyd * [1, 1, -1])
-    direct = candidate_rows(cube.space, points, frame.axes, body) @ fields
+    direct = candidate_rows(cube.space, points, frame.axes, body).motions @ fields
     direct = np.moveaxis(direct.reshape(len(xyd), 6, -1), 2, 0)
-    miss = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
+    miss = motions_at(table, FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
     parts = [values.reshape(-1, 2, 3) for values in (miss, direct)]
     wrong, size = (np.linalg.norm(values, axis=2) for values in parts)
     rms = np.sqrt(np.mean(wrong**2, axis=0) / np.mean(size**2, axis=0))
@@ -205,7 +205,7 @@ def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
 )
 def test_places_without_candidates_are_refused(table, face, xy, depth, what):
     with pytest.raises(InputError, match=what):
-        table.motions_at(face, np.array([xy]), np.array([depth]))
+        motions_at(table, face, np.array([xy]), np.array([depth]))
 
 
 def test_a_shell_too_thin_for_the_margins_is_refused(spec):

@@ -100,7 +100,7 @@ def test_rows_give_a_rigid_motion_back_in_every_frame(cube, bodies, shape):
     one, other = tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0)
     side = np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0]])
     for axes in (one, side, np.stack([one, other]), np.stack([other, side])):
-        rows = candidate_rows(cube.space, centres, axes, bodies[shape])
+        rows = candidate_rows(cube.space, centres, axes, bodies[shape]).motions
         motion = (rows @ nodal(cube.space, rigid)).reshape(-1, 6)
         assert_allclose(motion[:, :3], rigid(centres), rtol=0, atol=1e-10)
         assert_allclose(motion[:, 3:], [TURN, TURN], rtol=0, atol=1e-10)
@@ -116,7 +116,8 @@ def test_rows_weigh_displacements_in_the_body_s_own_frame(cube):
     each = np.stack(
         [tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0), face_frame(cube.spec, 3).axes]
     )
-    found = candidate_rows(cube.space, centres, each, body) @ nodal(cube.space, quadratic)
+    rows = candidate_rows(cube.space, centres, each, body).motions
+    found = rows @ nodal(cube.space, quadratic)
     for centre, axes, motion in zip(centres, each, found.reshape(-1, 6), strict=True):
         own = quadratic(centre + body.points_mm @ axes.T) @ axes
         c, w = np.einsum("kmp,pm->k", body.weights, own).reshape(2, 3)
@@ -129,10 +130,10 @@ def test_a_disk_turns_with_its_plane_more_than_by_half_the_curl(cube, bodies):
     Weights of elements of 3 mm make that 0.26 γ; half the curl is 0.5 γ, and is right about the axis.
     """
     centre, n = np.array([[2.0, 5.0, 17.0]]), np.array([0.0, 0.0, 1.0])
-    rows = candidate_rows(cube.space, centre, np.eye(3), bodies["disk"])
+    rows = candidate_rows(cube.space, centre, np.eye(3), bodies["disk"]).motions
 
     def turn(slopes):
-        return (rows @ nodal(cube.space, lambda p: p @ slopes.T))[3:]
+        return (rows @ nodal(cube.space, lambda p: p @ slopes.T))[0, 3:]
 
     unit = np.eye(3)
     assert_allclose(turn(np.outer(unit[0], n)), [0, 0.26, 0], rtol=0, atol=0.03)
@@ -163,7 +164,8 @@ def test_a_magnet_at_the_only_candidate_moves_as_its_row_says(
 
     def by_row():
         body = tied_magnets(one, cube.system, factor, [lattice])[0]
-        return candidate_rows(cube.space, layout.centre_mm, layout.frame, body) @ fields
+        rows = candidate_rows(cube.space, layout.centre_mm, layout.frame, body).motions
+        return (rows @ fields)[0]
 
     coarse = by_row()
     monkeypatch.setattr(module, "CIRCLES", 8)
@@ -203,9 +205,9 @@ def test_magnets_anywhere_move_much_more_as_candidates_do_than_as_their_mid_plan
             )
             layout = shell_body_layout(one)
             (centre,), (axes,) = layout.centre_mm, layout.frame
-            rows = candidate_rows(cube.space, centre[None], axes, bodies[shape])
+            rows = candidate_rows(cube.space, centre[None], axes, bodies[shape]).motions
             exact.append(in_own_frame(axes, tied_motion(one, cube, factor, DEGREE) @ pressures))
-            found.append(in_own_frame(axes, rows @ fields))
+            found.append(in_own_frame(axes, (rows @ fields)[0]))
             fit.append(
                 in_own_frame(
                     axes, mid_plane_fit(cube.space, centre, axes, layout.bodies[0].outline, fields)

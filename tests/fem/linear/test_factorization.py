@@ -300,6 +300,15 @@ def test_a_pressure_that_couples_far_unknowns_waits_for_all_of_them(monkeypatch,
     assert_allclose(solved, np.linalg.solve(matrix.toarray(), right), rtol=1e-8, atol=1e-10)
 
 
+def test_single_precision_solves_to_its_own_rounding():
+    """Where there is no PARDISO, in double precision."""
+    random = np.random.default_rng(58)
+    matrix = sp.csr_matrix(np.diag([4.0, 3.0, 5.0, -6.0]) + 0.5)
+    right = random.normal(size=(4, 3))
+    with Factorization(matrix, single=True) as factor:
+        assert_allclose(matrix @ factor.solve(right), right, atol=1e-5)
+
+
 def test_a_kept_factor_is_there_while_it_solves_though_too_large_to_be_kept(monkeypatch):
     """Of `tests.support`: the last holder lets PARDISO's memory go."""
 
@@ -314,7 +323,7 @@ def test_a_kept_factor_is_there_while_it_solves_though_too_large_to_be_kept(monk
             self.released = True
 
     made = Solver()
-    monkeypatch.setattr(kept_factors, "_plain", lambda matrix: made)
+    monkeypatch.setattr(kept_factors, "_plain", lambda matrix, single: made)
     monkeypatch.setattr(kept_factors, "LEAST_UNKNOWNS", 1)
     monkeypatch.setattr(kept_factors, "MOST_UNKNOWNS", 2)
     found = kept_factors.solve_with_kept_factor(2 * sp.eye_array(3, format="csr"), np.ones((3, 1)))

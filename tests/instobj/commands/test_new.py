@@ -144,7 +144,7 @@ def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, aske
     """The seam is turned where the mould's walls are thin; other shells where it is anything else."""
     tried = []
 
-    def checked(spec):
+    def checked(spec, **_):
         tried.append((spec.shell.thickness_mm, spec.mould.parting_azimuth_deg))
         return Checked(failing[len(tried) - 1], {})
 
@@ -171,7 +171,7 @@ def test_only_seams_that_leave_walls_are_tried_unless_there_are_none(monkeypatch
     def seam(spec):
         return spec.shell.thickness_mm, spec.mould.parting_azimuth_deg
 
-    def checked(spec):
+    def checked(spec, **_):
         tried.append(seam(spec))
         return Checked([THIN], {})
 
@@ -202,7 +202,7 @@ def test_where_no_seam_leaves_walls_magnets_go_elsewhere(monkeypatch, clear, fai
         magnets = tables.get("magnets", {}).get("positions_mm", [[None]])
         return tables["shell"]["thickness_mm"], magnets[0][0]
 
-    def checked(tables):
+    def checked(tables, **_):
         tried.append(of(tables))
         return Checked(failing[len(tried) - 1], {})
 
@@ -321,9 +321,12 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
 
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
     """Of a vase of six flutes a turn by a whole one hooks nothing, one by 6° does."""
-    monkeypatch.setattr(
-        new, "undercut_fraction", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
-    )
+
+    def depth_mm(spec):
+        azimuth = spec.mould.parting_azimuth_deg
+        return 0.0 if azimuth is None else (azimuth - 45) % 60 / 60
+
+    monkeypatch.setattr(new, "undercut_depth_mm", depth_mm)
     first, second, third, *_ = new.seams_of(BALL)
     assert first == BALL
     assert second["mould"]["parting_azimuth_deg"] == 105.0

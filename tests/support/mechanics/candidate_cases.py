@@ -187,7 +187,7 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
         faces.append(np.full(len(magnet_mm), frame.number))
         index = motions.faces.tolist().index(face)
         along = frame.from_plane(magnet_mm[:, :2])
-        motion.append(motions.motions_at(frame.number, along, magnet_mm[:, 2])[index])
+        motion.append(motions_at(motions, frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
     strength = np.tile(polarity, len(faces))
     size = np.resize(spec.magnets.size_numbers, len(strength))
@@ -207,3 +207,11 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
     )
     chips = chip_errors(spec.sensors, len(sensor_mm), 1)
     return Scene(magnets, sensors, chips, environment(spec)), np.concatenate(motion, axis=2)
+
+
+def motions_at(table, face, xy_mm, depth_mm):
+    """Motions of magnets among a face's candidates, in all presses: (face, place, step, magnet, 6)."""
+    index, weight = table.weights(face, np.column_stack([xy_mm, depth_mm]))
+    # m magnet, k of its 64 candidates, f pressed face, r mode, v of 6 motions; p place, s step
+    mixed = np.einsum("mk,mkfrv->mfrv", weight, table.by_candidate[index])
+    return np.einsum("fpsr,mfrv->fpsmv", table.presses, mixed, optimize=True)

@@ -27,12 +27,12 @@ class KeptSolver:
             weakref.finalize(self, solver.release)
 
 
-def kept_solver(matrix):
+def kept_solver(matrix, single=False):
     """In place of what `fem.linear.factorization` makes of a matrix for every `Factorization`."""
     if matrix.shape[0] < LEAST_UNKNOWNS:
-        return _plain(matrix)
-    key = _digest(matrix)
-    found = _kept.pop(key, None) or KeptSolver(_plain(matrix), matrix.shape[0])
+        return _plain(matrix, single)
+    key = _digest(matrix), single
+    found = _kept.pop(key, None) or KeptSolver(_plain(matrix, single), matrix.shape[0])
     _kept[key] = found  # the latest last
     while sum(one.unknowns for one in _kept.values()) > MOST_UNKNOWNS:
         del _kept[next(iter(_kept))]

@@ -111,14 +111,14 @@ def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
     assert flange_corners_mm(box([])) == []
 
 
-@pytest.mark.parametrize(("azimuth_deg", "share"), [(0.0, 0.0), (90.0, 0.0), (45.0, None)])
-def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, share):
-    """Of a box with sides of a and b at 45°: strips (b - a) wide of its longer sides, twice."""
+@pytest.mark.parametrize(("azimuth_deg", "depth_mm"), [(0.0, 0.0), (90.0, 0.0), (45.0, 0.5**0.5)])
+def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, depth_mm):
+    """Of a box with sides of 42 and 44 mm at 45°: strips of its longer sides, 1 mm wide, lean by 45°.
+
+    Whole triangles count.
+    """
     spec = box([], parting_azimuth_deg=azimuth_deg)
-    x, y, z = 42.0, 44.0, 46.0
-    strips = 2 * (y - x) / 2 * z * (np.sqrt(0.5) - np.sin(np.deg2rad(2.0)))
-    share = strips / (2 * (x * y + y * z + z * x)) if share is None else share
-    assert frames.undercut_fraction(spec) == pytest.approx(share, rel=0.05)
+    assert frames.undercut_depth_mm(spec) == pytest.approx(depth_mm, rel=0.15)
 
 
 def tapered(tmp_path, **mould):
