@@ -1,0 +1,108 @@
+"""Drift while contacts stay, told apart from creep and from changes of the contacts by its shape.
+
+Channels drift independently, as random walks. Contacts that press more or slide, and silicone that creeps
+under them, change channels along the few patterns of the contacts themselves. Where a hold has changed along
+these by no more than drift may, it is steady, and all that its channels change by is taken for drift (Kalman
+filter of random walks). A larger change is the contacts', at once or slowly: it is given back.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Float, Int
+from scipy.stats import chi2
+
+_TIMES_S = np.array([4.0, 30.0, 240.0])
+"""Times over which a hold's changes are judged against drift."""
+_CHANCE = 1e-5
+"""Chance that a judgement takes drift for a change of the contacts: a thousandth in half an hour, which
+holds some 500 changes over 4 s."""
+_OTHERS = 10
+"""Frames on end with other contacts, after which a hold is another: a frame may be misread."""
+
+
+@dataclass
+class HeldDrift:
+    """Drift of every channel since contacts became steady, and how well it is known.
+
+    Attributes
+    ----------
+    noise : (channel, channel) covariance of what changes from frame to frame (counts²), nuisances included
+    rate : by how much the variance of drift grows (counts²/s)
+    left : variance of the drift that no hold has shown since the last rest, in the middle of all directions
+        (counts²); infinite before the first hold
+    """
+
+    noise: Float[np.ndarray, "channel channel"]
+    rate: float
+    left: float = math.inf
+    _faces: tuple[int, ...] = ()
+    _others: int = 0
+    _held: Float[np.ndarray, "channel"] | None = None
+    _patterns: Float[np.ndarray, "channel pattern"] = field(
+        default_factory=lambda: np.zeros((0, 0))
+    )
+    _covariance: Float[np.ndarray, "drift_and_held drift_and_held"] = field(
+        default_factory=lambda: np.zeros((0, 0))
+    )
+    _lately: Float[np.ndarray, "time channel"] = field(default_factory=lambda: np.zeros((0, 0)))
+
+    @property
+    def steady(self) -> bool:
+        """Return whether contacts are held, so that drift is known."""
+        return self._held is not None
+
+    def forget(self) -> None:
+        """Forget the hold: contacts are others or gone."""
+        self._held, self._others = None, 0
+
+    def is_of(self, faces: Int[np.ndarray, "contact"]) -> bool:
+        """Return whether contacts on these faces are those held; forget the hold where others stay."""
+        same = self.steady and self._faces == tuple(np.sort(faces).tolist())
+        self._others = 0 if same else self._others + 1
+        if self._others > _OTHERS:
+            self.forget()
+        return same
+
+    def begin(
+        self,
+        faces: Int[np.ndarray, "contact"],
+        change: Float[np.ndarray, "channel"],
+        frames: int,
+        slopes: Float[np.ndarray, "pattern channel"],
+    ) -> None:
+        """Take still contacts for steady: the mean change of some frames against the zero, and the
+        derivatives of their signals."""
+        self._faces, self._held, self._others = tuple(np.sort(faces).tolist()), change, 0
+        self._patterns = np.linalg.qr(np.vstack([slopes, change]).T)[0]
+        self._covariance = np.kron([[0.0, 0.0], [0.0, 1.0]], self.noise / frames)
+        self._lately = np.zeros((len(_TIMES_S), len(change)))
+
+    def follow(
+        self, change: Float[np.ndarray, "channel"], elapsed_s: float
+    ) -> Float[np.ndarray, "channel"]:
+        """Return by how much all drifted since the last frame, against a zero that followed until then."""
+        assert self._held is not None
+        both = np.hstack([np.eye(len(change)), np.eye(len(change))])
+        grown = np.kron([[1.0, 0.0], [0.0, 0.0]], np.eye(len(change)))
+        prior = self._covariance + self.rate * elapsed_s * grown
+        # frames show drift and what is held added up: y = H x + noise, gain P Hᵀ (H P Hᵀ + noise)⁻¹
+        shown = both @ prior
+        gain = np.linalg.solve(shown @ both.T + self.noise, shown).T
+        drifted, held = (gain @ (change - self._held)).reshape(2, -1)
+        self._covariance, self._held = prior - gain @ shown, self._held + held
+        of_drift = self._covariance[: len(change), : len(change)]
+        self.left = float(np.median(np.linalg.eigvalsh(of_drift)))
+        self._lately = self._lately * np.exp(-elapsed_s / _TIMES_S)[:, None] + drifted
+        along = self._lately @ self._patterns
+        # Steps of a Kalman filter are independent and of the walk's variance, q dt: weighed by exp(−t/τ)
+        # they add up to q τ / 2 in every direction.
+        most = chi2.isf(_CHANCE, along.shape[1]) * self.rate * _TIMES_S / 2
+        (changed,) = np.nonzero((along**2).sum(axis=1) > most)
+        if len(changed):
+            self.forget()
+            return drifted - self._patterns @ along[changed[-1]]
+        return drifted
