@@ -135,7 +135,7 @@ class LiveContacts:
             return
         elif held.is_of(contacts.face[0][filled]):
             self.level.drift(held.follow(change, elapsed_s))
-        elif not held.steady and (still := self.level.still_change) is not None:
+        elif not held.steady and (still := self.level.still_change(held.alike)) is not None:
             faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
             at = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[:, filled]
             slopes = self.inversion.model.singles(faces, at)[0, :, 1:].reshape(-1, len(change))

@@ -305,11 +305,13 @@ class StreamZero:
         if self._rest is not None and self._rest.level is not None:
             self._rest.level = self.level = self._rest.level + change
 
-    @property
-    def still_change(self) -> Float[np.ndarray, "channel"] | None:
-        """Return the mean change of the last frames against a zero that follows rest; None unless still."""
-        level = None if self._rest is None else self._rest.still_level()
-        return None if level is None or self.level is None else level - self.level
+    def still_change(self, frames: int) -> Float[np.ndarray, "channel"] | None:
+        """Return the mean change of the window against a zero that follows rest; None unless it is still and
+        no longer than so many frames."""
+        if self._rest is None or self.level is None or len(self._rest.window) > frames:
+            return None
+        level = self._rest.still_level()
+        return None if level is None else level - self.level
 
     @property
     def starts(self) -> int:

@@ -34,11 +34,13 @@ class HeldDrift:
     rate : by how much the variance of drift grows (counts²/s)
     left : variance of the drift that no hold has shown since the last rest, in the middle of all directions
         (counts²); infinite before the first hold
+    alike : frames on end with contacts on the same faces, until they are held
     """
 
     noise: Float[np.ndarray, "channel channel"]
     rate: float
     left: float = math.inf
+    alike: int = 0
     _faces: tuple[int, ...] = ()
     _others: int = 0
     _held: Float[np.ndarray, "channel"] | None = None
@@ -57,15 +59,18 @@ class HeldDrift:
 
     def forget(self) -> None:
         """Forget the hold: contacts are others or gone."""
-        self._held, self._others = None, 0
+        self._held, self._others, self.alike = None, 0, 0
 
     def is_of(self, faces: Int[np.ndarray, "contact"]) -> bool:
         """Return whether contacts on these faces are those held; forget the hold where others stay."""
-        same = self.steady and self._faces == tuple(np.sort(faces).tolist())
-        self._others = 0 if same else self._others + 1
+        alike = self._faces == (now := tuple(np.sort(faces).tolist()))
+        if not self.steady:
+            self.alike, self._faces = self.alike * alike + 1, now
+            return False
+        self._others = 0 if alike else self._others + 1
         if self._others > _OTHERS:
             self.forget()
-        return same
+        return alike
 
     def begin(
         self,
