@@ -117,8 +117,9 @@ class LiveContacts:
         self._silent = ~live
         drift = drift_counts(self.inversion, self.level.age_s)
         left = min(drift, drift_counts(self.inversion, _MOST_DRIFT_S), math.sqrt(self._held.left))
-        contacts = self._tracker.feed(np.where(live, change, np.nan), drift, left)
-        self._follow_hold(contacts, np.where(live, change, 0.0))
+        change = np.where(live, change, np.nan)
+        contacts = self._tracker.feed(change, drift, left)
+        self._follow_hold(contacts, change)
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
             self._tracker.slip = slip.carried()
@@ -139,6 +140,7 @@ class LiveContacts:
             faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
             at = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[:, filled]
             slopes = self.inversion.model.singles(faces, at)[0, :, 1:].reshape(-1, len(change))
+            still[np.isnan(change)] = np.nan
             held.begin(contacts.face[0][filled], still, self.zero_frames, slopes)
 
     def condition(self) -> Condition:

@@ -79,10 +79,10 @@ class HeldDrift:
         frames: int,
         slopes: Float[np.ndarray, "pattern channel"],
     ) -> None:
-        """Take still contacts for steady: the mean change of some frames against the zero, and the
-        derivatives of their signals."""
+        """Take still contacts for steady: the mean change of some frames against the zero, NaN where a
+        channel has none, and the derivatives of their signals."""
         self._faces, self._held, self._others = tuple(np.sort(faces).tolist()), change, 0
-        self._patterns = np.linalg.qr(np.vstack([slopes, change]).T)[0]
+        self._patterns = np.linalg.qr(np.vstack([slopes, np.nan_to_num(change)]).T)[0]
         self._covariance = np.kron([[0.0, 0.0], [0.0, 1.0]], self.noise / frames)
         self._lately = np.zeros((len(_TIMES_S), len(change)))
 
@@ -97,7 +97,8 @@ class HeldDrift:
         # frames show drift and what is held added up: y = H x + noise, gain P Hᵀ (H P Hᵀ + noise)⁻¹
         shown = both @ prior
         gain = np.linalg.solve(shown @ both.T + self.noise, shown).T
-        drifted, held = (gain @ (change - self._held)).reshape(2, -1)
+        # a channel without a reading is where it was
+        drifted, held = (gain @ np.nan_to_num(change - self._held)).reshape(2, -1)
         self._covariance, self._held = prior - gain @ shown, self._held + held
         of_drift = self._covariance[: len(change), : len(change)]
         self.left = float(np.median(np.linalg.eigvalsh(of_drift)))
