@@ -129,13 +129,14 @@ class LiveContacts:
         """Move the zero by what channels drift while the contacts just read are held."""
         held, filled = self._held, contacts.face[0] != NO_FACE
         elapsed_s, self._age_s = self.level.age_s - self._age_s, self.level.age_s
-        held.left = held.left + held.rate * elapsed_s if self._age_s else math.inf
-        if not self._age_s or not filled.any() or elapsed_s > PAUSE_S:
+        goes_on = self._age_s > 0 and 0 <= elapsed_s <= PAUSE_S
+        held.pass_by(elapsed_s if goes_on else math.inf)
+        if not goes_on or not filled.any():
             held.forget()
         elif not contacts.explained[0] or contacts.chip_out[0] != NONE:
             return
         elif held.is_of(contacts.face[0][filled]):
-            self.level.drift(held.follow(change, elapsed_s))
+            self.level.drift(held.follow(change))
         elif not held.steady and (still := self.level.still_change(held.alike)) is not None:
             faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
             at = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[:, filled]

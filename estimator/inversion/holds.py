@@ -50,7 +50,8 @@ class HeldDrift:
     _covariance: Float[np.ndarray, "drift_and_held drift_and_held"] = field(
         default_factory=lambda: np.zeros((0, 0))
     )
-    _lately: Float[np.ndarray, "time channel"] = field(default_factory=lambda: np.zeros((0, 0)))
+    _lately: Float[np.ndarray, "time channel"] = field(default_factory=lambda: np.zeros((3, 0)))
+    _spread: Float[np.ndarray, "time"] = field(default_factory=lambda: np.zeros(3))
 
     @property
     def steady(self) -> bool:
@@ -60,6 +61,19 @@ class HeldDrift:
     def forget(self) -> None:
         """Forget the hold: contacts are others or gone."""
         self._held, self._others, self.alike = None, 0, 0
+
+    def pass_by(self, elapsed_s: float) -> None:
+        """Let all drift for so long; for an infinite time, all that is known of it ends."""
+        self.left += self.rate * elapsed_s
+        channels = len(self.noise)
+        kept = np.exp(-elapsed_s / _TIMES_S)
+        # sums of independent steps, each q dt in every direction, weighed by exp(−t/τ)
+        self._lately, self._spread = (
+            kept[:, None] * self._lately,
+            kept**2 * self._spread + self.rate * min(elapsed_s, _TIMES_S[-1]),
+        )
+        if self.steady:
+            self._covariance[range(channels), range(channels)] += self.rate * elapsed_s
 
     def is_of(self, faces: Int[np.ndarray, "contact"]) -> bool:
         """Return whether contacts on these faces are those held; forget the hold where others stay."""
@@ -84,29 +98,23 @@ class HeldDrift:
         self._faces, self._held, self._others = tuple(np.sort(faces).tolist()), change, 0
         self._patterns = np.linalg.qr(np.vstack([slopes, np.nan_to_num(change)]).T)[0]
         self._covariance = np.kron([[0.0, 0.0], [0.0, 1.0]], self.noise / frames)
-        self._lately = np.zeros((len(_TIMES_S), len(change)))
+        self._lately, self._spread = np.zeros((len(_TIMES_S), len(change))), 0 * _TIMES_S
 
-    def follow(
-        self, change: Float[np.ndarray, "channel"], elapsed_s: float
-    ) -> Float[np.ndarray, "channel"]:
-        """Return by how much all drifted since the last frame, against a zero that followed until then."""
+    def follow(self, change: Float[np.ndarray, "channel"]) -> Float[np.ndarray, "channel"]:
+        """Return by how much all drifted since the last of these, against a zero that followed until then."""
         assert self._held is not None
         both = np.hstack([np.eye(len(change)), np.eye(len(change))])
-        grown = np.kron([[1.0, 0.0], [0.0, 0.0]], np.eye(len(change)))
-        prior = self._covariance + self.rate * elapsed_s * grown
         # frames show drift and what is held added up: y = H x + noise, gain P Hᵀ (H P Hᵀ + noise)⁻¹
-        shown = both @ prior
+        shown = both @ self._covariance
         gain = np.linalg.solve(shown @ both.T + self.noise, shown).T
         # a channel without a reading is where it was
         drifted, held = (gain @ np.nan_to_num(change - self._held)).reshape(2, -1)
-        self._covariance, self._held = prior - gain @ shown, self._held + held
+        self._covariance, self._held = self._covariance - gain @ shown, self._held + held
         of_drift = self._covariance[: len(change), : len(change)]
         self.left = float(np.median(np.linalg.eigvalsh(of_drift)))
-        self._lately = self._lately * np.exp(-elapsed_s / _TIMES_S)[:, None] + drifted
+        self._lately = self._lately + drifted
         along = self._lately @ self._patterns
-        # Steps of a Kalman filter are independent and of the walk's variance, q dt: weighed by exp(−t/τ)
-        # they add up to q τ / 2 in every direction.
-        most = chi2.isf(_CHANCE, along.shape[1]) * self.rate * _TIMES_S / 2
+        most = chi2.isf(_CHANCE, along.shape[1]) * self._spread
         (changed,) = np.nonzero((along**2).sum(axis=1) > most)
         if len(changed):
             self.forget()

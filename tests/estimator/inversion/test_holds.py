@@ -24,8 +24,9 @@ def followed(force, rng, step_s=1.0):
     zero, zeros = np.zeros(30), []
     for drift, factor in zip(walk, force, strict=True):
         raw = drift + factor * along + NOISE * rng.standard_normal(30)
+        held.pass_by(step_s)
         if held.is_of(np.array([3])):
-            zero = zero + held.follow(raw - zero, step_s)
+            zero = zero + held.follow(raw - zero)
         zeros.append(zero)
     return np.array(zeros), walk, held
 
