@@ -116,9 +116,13 @@ class LiveContacts:
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
         self._silent = ~live
         drift = drift_counts(self.inversion, self.level.age_s)
-        left = min(drift, drift_counts(self.inversion, _MOST_DRIFT_S), math.sqrt(self._held.left))
+        unshown = min(
+            drift,
+            drift_counts(self.inversion, _MOST_DRIFT_S),
+            math.sqrt(self._held.unknown_counts2),
+        )
         change = np.where(live, change, np.nan)
-        contacts = self._tracker.feed(change, drift, left)
+        contacts = self._tracker.feed(change, drift, unshown)
         self._follow_hold(contacts, change)
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
@@ -139,8 +143,10 @@ class LiveContacts:
             self.level.drift(held.follow(change))
         elif not held.steady and (still := self.level.still_change(held.alike)) is not None:
             faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
-            at = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[:, filled]
-            slopes = self.inversion.model.singles(faces, at)[0, :, 1:].reshape(-1, len(change))
+            places = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[
+                :, filled
+            ]
+            slopes = self.inversion.model.singles(faces, places)[0, :, 1:].reshape(-1, len(change))
             still[np.isnan(change)] = np.nan
             held.begin(contacts.face[0][filled], still, self.zero_frames, slopes)
 

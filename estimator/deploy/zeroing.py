@@ -307,7 +307,7 @@ class StreamZero:
 
     def still_change(self, frames: int) -> Float[np.ndarray, "channel"] | None:
         """Return the mean change of the window against a zero that follows rest; None unless it is still and
-        no longer than so many frames."""
+        holds no more frames than these."""
         if self._rest is None or self.level is None or len(self._rest.window) > frames:
             return None
         level = self._rest.still_level()

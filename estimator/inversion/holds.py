@@ -1,4 +1,4 @@
-"""Drift while contacts stay, told apart from creep and from changes of the contacts by its shape.
+"""Drift while contacts stay, apart from creep and from changes of the contacts by its shape.
 
 Channels drift independently, as random walks. Contacts that press more or slide, and silicone that creeps
 under them, change channels along the few patterns of the contacts themselves. Where a hold has changed along
@@ -32,14 +32,14 @@ class HeldDrift:
     ----------
     noise : (channel, channel) covariance of what changes from frame to frame (counts²), nuisances included
     rate : by how much the variance of drift grows (counts²/s)
-    left : variance of the drift that no hold has shown since the last rest, in the middle of all directions
-        (counts²); infinite before the first hold
+    unknown_counts2 : variance of the drift that no hold has shown since the last rest (counts²), in the middle of all
+        directions; infinite before the first hold
     alike : frames on end with contacts on the same faces, until they are held
     """
 
     noise: Float[np.ndarray, "channel channel"]
     rate: float
-    left: float = math.inf
+    unknown_counts2: float = math.inf
     alike: int = 0
     _faces: tuple[int, ...] = ()
     _others: int = 0
@@ -64,7 +64,7 @@ class HeldDrift:
 
     def pass_by(self, elapsed_s: float) -> None:
         """Let all drift for so long; for an infinite time, all that is known of it ends."""
-        self.left += self.rate * elapsed_s
+        self.unknown_counts2 += self.rate * elapsed_s
         channels = len(self.noise)
         kept = np.exp(-elapsed_s / _TIMES_S)
         # sums of independent steps, each q dt in every direction, weighed by exp(−t/τ)
@@ -111,12 +111,12 @@ class HeldDrift:
         drifted, held = (gain @ np.nan_to_num(change - self._held)).reshape(2, -1)
         self._covariance, self._held = self._covariance - gain @ shown, self._held + held
         of_drift = self._covariance[: len(change), : len(change)]
-        self.left = float(np.median(np.linalg.eigvalsh(of_drift)))
+        self.unknown_counts2 = float(np.median(np.linalg.eigvalsh(of_drift)))
         self._lately = self._lately + drifted
-        along = self._lately @ self._patterns
-        most = chi2.isf(_CHANCE, along.shape[1]) * self._spread
-        (changed,) = np.nonzero((along**2).sum(axis=1) > most)
+        pattern_counts = self._lately @ self._patterns
+        most = chi2.isf(_CHANCE, pattern_counts.shape[1]) * self._spread
+        (changed,) = np.nonzero((pattern_counts**2).sum(axis=1) > most)
         if len(changed):
             self.forget()
-            return drifted - self._patterns @ along[changed[-1]]
+            return drifted - self._patterns @ pattern_counts[changed[-1]]
         return drifted

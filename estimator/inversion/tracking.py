@@ -94,10 +94,10 @@ class Tracker:
     ) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
         what every channel drifted since, `left_counts` of what of it a hold has not shown (default: all)."""
-        left = drift_counts if left_counts is None else left_counts
-        self._widened = math.hypot(1.0, left / self._fresh_counts)
-        sets = self._contacts_in(self._without_slip(counts, left))
-        if drift_counts > left:
+        unshown = drift_counts if left_counts is None else left_counts
+        self._widened = math.hypot(1.0, unshown / self._fresh_counts)
+        sets = self._contacts_in(self._without_slip(counts, unshown))
+        if drift_counts > unshown:
             # Drift along a hold's own pattern shows in no channel: it was steady, or it was not.
             factor = (1 + (drift_counts / self._fresh_counts) ** 2) / self._widened**2
             wide = widened(sets.covariance, np.full(1, factor), self.inversion.priors)
