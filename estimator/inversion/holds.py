@@ -32,8 +32,8 @@ class HeldDrift:
     ----------
     noise : (channel, channel) covariance of what changes from frame to frame (counts²), nuisances included
     rate : by how much the variance of drift grows (counts²/s)
-    unknown_counts2 : variance of the drift that no hold has shown since the last rest (counts²), in the middle of all
-        directions; infinite before the first hold
+    unknown_counts2 : variance of the drift that no hold has shown since the last rest (counts²), in
+        the middle of all directions; infinite before the first hold
     alike : frames on end with contacts on the same faces, until they are held
     """
 
