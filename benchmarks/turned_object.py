@@ -8,7 +8,8 @@ anywhere, contact solved jointly by finite elements, 1 to 12 N a tip, magpylib's
 design has it ("grasp") and, of the first body, by one that takes the object to stand still ("bench"), both
 with an exact model. Then 40 objects of each body are drawn within `[tolerances]` and turned; the design's
 inversion reads them ("design"). Two of each body are also read by their twins ("twin"), calibrated on
-simulated presses of 25 places a face.
+simulated presses of 25 places a face, and by exact models of the drawn objects ("exact"): what no twin can
+better. Beside them stands how often the tip that shows least can be seen at all.
 Finished bodies are kept, and an interrupted run goes on from them. The mechanics come from the store, or are
 made first. Writes `turned_object.json`.
 """
@@ -20,19 +21,19 @@ from pathlib import Path
 
 import numpy as np
 from harness import Result, conclude, kept, machine, option_parser, parts_folder
-from scipy.stats import kstest
+from scipy.stats import chi2, kstest, ncx2
 
 from design.errors import InputError
 from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.calibration.twin.digital_twin import calibrate
+from estimator.calibration.twin.digital_twin import calibrate, places_left_out
 from estimator.calibration.twin.inverted_twin import inverted_twin
 from estimator.calibration.twin.pressed_places import invalidate_hard_presses, pressed_places
 from estimator.frames.contact_cases import random_case
 from estimator.frames.press_protocol import simulate_presses
 from estimator.inversion.inversion import Inversion, inversion
-from estimator.inversion.model.noise import design_error
+from estimator.inversion.model.noise import MESH_ERROR, design_error
 from estimator.metrics.contacts import matched_contacts, possible_distance_mm
 from estimator.signals.presses import press_signals
 from estimator.tolerances.assembly import Assembly
@@ -52,13 +53,17 @@ COARSE = {"edge_mm": 7.0, "surface_edge_mm": 2.5, "rim_edge_ratio": 1.0, "envelo
 PITCH_MM = 4.0
 OBJECTS, TWINS = 40, 2
 """Drawn objects of a body, and how many of them get a twin."""
-_LABELLED, _LEFT_SHARE = 25, 0.03
-"""Places of a face that a twin is calibrated on, and what it leaves of the signals elsewhere."""
+_LABELLED = 25
+"""Places of a face that a twin is calibrated on."""
 _FIRST_SEED = 1000
 """Drawn objects are not those that the design's error is taken from."""
 _FORCE_N = (1.0, 12.0)
 _STEPS = 12
 """Depths of a press, of which one is read."""
+_FALSE_TIPS = 1e-4
+"""Chance that a tip is seen at one place where none is: 1 % of frames, over some 100 places that differ."""
+_LIGHTEST_N = (1.0, 2.0, 3.0, 5.0, 12.0)
+"""Ranges of the lightest tip's force."""
 
 Pressed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 """Faces and places of the tips of each frame, their forces, and the magnets' motions."""
@@ -93,7 +98,15 @@ def _of_body(body: str, quick: bool, frames: int) -> list[Result]:
     error = design_error(spec, *presses, signals)
     design = inversion(spec, *presses, signals, error, spec.tolerances.modulus_relative)
     drawn = [drawn_assembly(spec, _FIRST_SEED + number) for number in range(objects)]
-    twin_readers = [_twin(spec, presses, number, drawn[number]) for number in range(twins)]
+    readers_of = [
+        {
+            "twin": _twin(spec, presses, number, drawn[number]),
+            "exact": inversion(
+                spec, *presses, twin_signals(spec, drawn[number], *presses), 0.0, 0.0
+            ),
+        }
+        for number in range(twins)
+    ]
     rows: list[Result] = []
     for number in range(4):
         pressed = _pressed(spec, response, number, 12 if quick else frames)
@@ -105,11 +118,15 @@ def _of_body(body: str, quick: bool, frames: int) -> list[Result]:
         state, rng = {"state": "turned"}, np.random.default_rng([number, 2])
         of_design = _of_objects(spec, pressed, drawn, rng)
         rows.append(state | _row(design, *of_design, "design"))
-        for which, reader in enumerate(twin_readers):
+        for which, readers_here in enumerate(readers_of):
             face, xy, force, motion = (part[which::twins] for part in pressed)
             some = face, xy, force, motion
             of_twin = _of_objects(spec, some, drawn[which : which + 1], rng)
-            rows.append(state | _row(reader, *of_twin, f"twin {which + 1}"))
+            seen = _chance_to_see(readers_here["exact"], *of_twin)
+            rows += [
+                state | _row(reader, *of_twin, f"{name} {which + 1}") | {"least_tip_seen": seen}
+                for name, reader in readers_here.items()
+            ]
     return rows
 
 
@@ -131,14 +148,17 @@ def _twin(spec: ObjectSpec, presses: Presses, number: int, built: Assembly) -> I
     """Return the inversion of an object's twins, each of some places of one face."""
     hidden = spec.changed(seed=_FIRST_SEED + number)
     frames = simulate_presses(hidden, twin_signals(spec, built, *presses), "")
-    rng, twins = np.random.default_rng([number, 3]), {}
+    rng, twins, left = np.random.default_rng([number, 3]), {}, {}
     for face in spec.body.sensed:
         reachable = invalidate_hard_presses(frames, presses[0], face)
         pressed = pressed_places(spec, reachable, face)
         chosen = np.zeros(len(pressed), bool)
         chosen[rng.permutation(len(pressed))[:_LABELLED]] = True
-        twins[face] = calibrate(spec, *presses, pressed.select_places(chosen))
-    return inverted_twin(spec, *presses, twins, dict.fromkeys(twins, _LEFT_SHARE))
+        labelled = pressed.select_places(chosen)
+        twins[face] = calibrate(spec, *presses, labelled)
+        shares, _ = places_left_out(spec, *presses, labelled)
+        left[face] = max(float(np.sqrt(np.mean(shares**2))), MESH_ERROR)
+    return inverted_twin(spec, *presses, twins, left)
 
 
 def _pressed(spec: ObjectSpec, response: ResponseOperator, number: int, frames: int) -> Pressed:
@@ -167,6 +187,31 @@ def _pressed(spec: ObjectSpec, response: ResponseOperator, number: int, frames: 
     return face, xy, force, motion
 
 
+def _chance_to_see(reader: Inversion, counts: np.ndarray, pressed: Pressed) -> float | None:
+    """Return the mean chance, over frames, that the tip that shows least is seen beside the others.
+
+    That of a test of all three unknowns of a tip whose place is known, by linearised signals at the truth:
+    what others take up at the best is taken off.
+    """
+    face, xy, force, _ = pressed
+    if not face.any():
+        return None
+    rows = np.searchsorted(reader.model.signals.faces, face)
+    singles = reader.model.singles(rows, np.concatenate([xy, force[..., None]], axis=2))
+    white = reader.disturbances.observed(counts).white
+    shape = len(face), -1, reader.model.channels
+    signals, slopes = white(singles[:, :, 0]), white(singles[:, :, 1:].reshape(shape))
+    chances = []
+    for shown, slope in zip(signals, slopes, strict=True):
+        of_tips = []
+        for tip, signal in enumerate(shown):
+            others = np.delete(slope, np.s_[3 * tip : 3 * tip + 3], axis=0).T
+            left = signal - others @ np.linalg.lstsq(others, signal, rcond=None)[0]
+            of_tips.append(ncx2.sf(chi2.isf(_FALSE_TIPS, 3), 3, left @ left))
+        chances.append(min(of_tips))
+    return round(float(np.mean(chances)), 3)
+
+
 def _row(reader: Inversion, counts: np.ndarray, pressed: Pressed, name: str) -> Result:
     face, xy, force, _ = pressed
     shown = counts.reshape(len(counts), len(reader.model.signals.faces), -1, 3)
@@ -182,6 +227,7 @@ def _row(reader: Inversion, counts: np.ndarray, pressed: Pressed, name: str) -> 
         "contacts": int((face > 0).sum(axis=1).max()),
         "frames": len(counts),
         "number_right": float(right.mean()),
+        "right_by_lightest": _by_lightest(right, force) if face.any() else [],
         "contacts_read": float(found.number.mean()),
         "force_read_n": float(np.nansum(found.force_n, axis=1).mean()),
         "explained": float(found.explained.mean()),
@@ -197,6 +243,14 @@ def _row(reader: Inversion, counts: np.ndarray, pressed: Pressed, name: str) -> 
         row["place_in_region"] = float(matched.place_covered[of_right].mean())
         row["force_in_interval"] = float(matched.force_covered[of_right].mean())
     return {key: round(v, 3) if isinstance(v, float) else v for key, v in row.items()}
+
+
+def _by_lightest(right: np.ndarray, force: np.ndarray) -> list[list[int]]:
+    """Return frames read right and all frames, by the force of the lightest tip."""
+    which = np.digitize(force.min(axis=1), _LIGHTEST_N[1:-1])
+    return [
+        [int(right[which == k].sum()), int((which == k).sum())] for k in range(len(_LIGHTEST_N) - 1)
+    ]
 
 
 def report(result: Result) -> str:

@@ -17,18 +17,23 @@ from estimator.deploy.zeroing import (
     StreamZero,
     ZeroMode,
 )
+from estimator.frames.dataset import NO_FACE
 from estimator.frames.press_protocol import DRIFT_TIME_S
 from estimator.inversion.condition import Condition
+from estimator.inversion.holds import HeldDrift
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.magnets import BesideMagnet
+from estimator.inversion.model.forward import NONE
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.slip import Slip
 from estimator.inversion.tracking import Tracker
+from estimator.recordings.presses import PAUSE_S
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
 
 _MOST_DRIFT_S = 180.0
-"""Drift of so long, 27 counts by default, makes deviations 1.5 times those of a fresh zero."""
+"""Drift of so long, 27 counts by default, makes deviations 1.5 times those of a fresh zero. Where no steady
+hold shows drift, contacts would drown in more."""
 _AT_THE_END = 0.5
 """Counts: a clipped reading is the largest of whole ones."""
 
@@ -75,6 +80,10 @@ class LiveContacts:
             self.zero, self.zero_frames, self.read_still, self.read_drift, level
         )
         self._zero: np.ndarray | None = None
+        shown = self.inversion.disturbances
+        noise = np.diag(shown.noise_counts**2) + shown.columns @ shown.columns.T
+        self._held = HeldDrift(noise, drift_counts(self.inversion, 1.0) ** 2)
+        self._age_s = 0.0
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
         self._out = self._silent = self._unzeroed
 
@@ -107,11 +116,39 @@ class LiveContacts:
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
         self._silent = ~live
         drift = drift_counts(self.inversion, self.level.age_s)
-        contacts = self._tracker.feed(np.where(live, change, np.nan), drift)
+        unshown = min(
+            drift,
+            drift_counts(self.inversion, _MOST_DRIFT_S),
+            math.sqrt(self._held.unknown_counts2),
+        )
+        change = np.where(live, change, np.nan)
+        contacts = self._tracker.feed(change, drift, unshown)
+        self._follow_hold(contacts, change)
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
             self._tracker.slip = slip.carried()
         return contacts
+
+    def _follow_hold(self, contacts: ContactSets, change: Float[np.ndarray, "channel"]) -> None:
+        """Move the zero by what channels drift while the contacts just read are held."""
+        held, filled = self._held, contacts.face[0] != NO_FACE
+        elapsed_s, self._age_s = self.level.age_s - self._age_s, self.level.age_s
+        goes_on = self._age_s > 0 and 0 <= elapsed_s <= PAUSE_S
+        held.pass_by(elapsed_s if goes_on else math.inf)
+        if not goes_on or not filled.any():
+            held.forget()
+        elif not contacts.explained[0] or contacts.chip_out[0] != NONE:
+            return
+        elif held.is_of(contacts.face[0][filled]):
+            self.level.drift(held.follow(change))
+        elif not held.steady and (still := self.level.still_change(held.alike)) is not None:
+            faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
+            places = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[
+                :, filled
+            ]
+            slopes = self.inversion.model.singles(faces, places)[0, :, 1:].reshape(-1, len(change))
+            still[np.isnan(change)] = np.nan
+            held.begin(contacts.face[0][filled], still, self.zero_frames, slopes)
 
     def condition(self) -> Condition:
         """Return the object's condition by its last frames."""
@@ -191,15 +228,13 @@ class LiveContacts:
 
 
 def drift_counts(inversion: Inversion, age_s: float) -> float:
-    """Return the drift (counts) of a channel since rest was last seen: a random walk, of three minutes at
-    most. Contacts of longer holds would drown in what may have drifted."""
-    seconds = min(age_s, _MOST_DRIFT_S)
-    return inversion.model.spec.sensors.drift_counts * math.sqrt(seconds / DRIFT_TIME_S)
+    """Return the drift (counts) of a channel since rest was last seen: a random walk."""
+    return inversion.model.spec.sensors.drift_counts * math.sqrt(age_s / DRIFT_TIME_S)
 
 
 def drifted(inversion: Inversion) -> Inversion:
     """Return the same estimator for all that the zero may follow before it forgets it."""
-    drift = inversion.model.spec.sensors.drift_counts * math.sqrt(REMEMBERED_S / DRIFT_TIME_S)
+    drift = drift_counts(inversion, REMEMBERED_S)
     offset = np.hypot(inversion.disturbances.offset_counts, drift)
     disturbances = replace(inversion.disturbances, offset_counts=offset)
     return replace(inversion, disturbances=disturbances)

@@ -172,10 +172,16 @@ class RestZero:
     def _judge(self, elapsed_s: float) -> None:
         if self.level is not None:
             self.note_force(self.read(self.window[-1][1] - self.level, 1).force_n)
-        if len(self.window) >= self.frames and self._spans(0):
-            window = np.array([raw for _, raw in self.window])
-            if is_still(window):
-                self.consider(level_of(window), max(0.0, elapsed_s))
+        level = self.still_level()
+        if level is not None:
+            self.consider(level, max(0.0, elapsed_s))
+
+    def still_level(self) -> Float[np.ndarray, "channel"] | None:
+        """Return the mean of the last frames; None where they are too few, or not still."""
+        if len(self.window) < self.frames or not self._spans(0):
+            return None
+        window = np.array([raw for _, raw in self.window])
+        return level_of(window) if is_still(window) else None
 
     def note_force(self, force_n: float) -> None:
         if self.now_s - self.loaded_s > SETTLE_S:
@@ -293,6 +299,19 @@ class StreamZero:
         self._rest.largest_n = 0.0  # forces read from what changed were of no press
         self.level = self._rest.level
         return True
+
+    def drift(self, change: Float[np.ndarray, "channel"]) -> None:
+        """Move a zero that follows rest by what channels drifted while contacts were held."""
+        if self._rest is not None and self._rest.level is not None:
+            self._rest.level = self.level = self._rest.level + change
+
+    def still_change(self, frames: int) -> Float[np.ndarray, "channel"] | None:
+        """Return the mean change of the window against a zero that follows rest; None unless it is still and
+        holds no more frames than these."""
+        if self._rest is None or self.level is None or len(self._rest.window) > frames:
+            return None
+        level = self._rest.still_level()
+        return None if level is None else level - self.level
 
     @property
     def starts(self) -> int:

@@ -19,7 +19,7 @@ from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems, empty
-from estimator.inversion.readings import ContactSets
+from estimator.inversion.readings import ContactSets, widened
 from estimator.inversion.search import Hypotheses, together
 from estimator.inversion.slip import REST_FRAMES, Slip, slip_at_rest
 
@@ -87,11 +87,22 @@ class Tracker:
         fresh = inversion.disturbances
         self._fresh_counts = float(np.median(np.hypot(fresh.noise_counts, fresh.offset_counts)))
 
-    def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
+    def feed(
+        self,
+        counts: Float[np.ndarray, "channel"],
+        drift_counts: float = 0.0,
+        left_counts: float | None = None,
+    ) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
-        what every channel drifted since."""
-        self._widened = math.hypot(1.0, drift_counts / self._fresh_counts)
-        sets = self._contacts_in(self._without_slip(counts, drift_counts))
+        what every channel drifted since, `left_counts` of what of it a hold has not shown (default: all)."""
+        unshown = drift_counts if left_counts is None else left_counts
+        self._widened = math.hypot(1.0, unshown / self._fresh_counts)
+        sets = self._contacts_in(self._without_slip(counts, unshown))
+        if drift_counts > unshown:
+            # Drift along a hold's own pattern shows in no channel: it was steady, or it was not.
+            factor = (1 + (drift_counts / self._fresh_counts) ** 2) / self._widened**2
+            wide = widened(sets.covariance, np.full(1, factor), self.inversion.priors)
+            sets = replace(sets, covariance=wide)
         self._notice_slip(counts, drift_counts, sets)
         self._recent.append((not sets.explained[0], self.beside_magnet))
         return sets
