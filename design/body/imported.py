@@ -23,6 +23,8 @@ _PIERCED_MM = 0.1
 _WELD_MM = 1e-3
 """Corners that are closer are one where a surface does not close: less than any printer or mould shows,
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
+_WIDEST_HOLE = 0.5
+"""Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
 
@@ -71,7 +73,7 @@ def _surface_in(path: Path, scale: float) -> trimesh.Trimesh:
 @lru_cache(maxsize=4)
 def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
-    surface = _read_unchanged(path)
+    surface = _read_unchanged(path, digest).copy()
     surface.apply_scale(scale)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
@@ -79,7 +81,9 @@ def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     return surface
 
 
-def _read_unchanged(path: Path) -> trimesh.Trimesh:
+@lru_cache(maxsize=4)
+def _read_unchanged(path: Path, digest: str) -> trimesh.Trimesh:
+    """The file's triangles as they stand there, for all scales."""
     import trimesh
 
     surface = read_foreign_surface(path, _missing(path))
@@ -103,7 +107,9 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     if not surface.is_watertight:
         faces_before, unfilled = len(surface.faces), surface.copy()
         trimesh.repair.fill_holes(surface)
-        done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
+        if len(surface.faces) > faces_before:
+            done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
+        done += _cover_holes(surface)
         _require_closed(surface, path)
         # each triangle of a soup gets one more on its back, and both enclose nothing
         if not _solid_pieces(surface):
@@ -149,6 +155,30 @@ def _weld(surface: trimesh.Trimesh) -> list[str]:
     surface.update_faces(_has_three_corners(surface))
     surface.update_faces(surface.unique_faces())
     return [f"welded {len(corners) - len(first)} corners within {_WELD_MM:g} mm of others"]
+
+
+def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
+    """Close holes up to `_WIDEST_HOLE` wide by triangles to their middles, in place; return in words how wide
+    the widest was."""
+    import trimesh
+
+    first, count = np.unique(surface.edges_sorted, axis=0, return_index=True, return_counts=True)[
+        1:
+    ]
+    edges = surface.edges[first[count == 1]]
+    corners, widths = np.asarray(surface.vertices), list[float]()
+    faces, middles = [surface.faces], [corners]
+    loops = trimesh.graph.connected_component_labels(edges, len(corners))[edges[:, 0]]
+    for loop in np.unique(loops):
+        rim = edges[loops == loop]
+        widths.append(float(np.ptp(corners[rim[:, 0]], axis=0).max()))
+        middle = np.full(len(rim), len(corners) + len(widths) - 1)
+        faces.append(np.column_stack([rim[:, ::-1], middle]))
+        middles.append(corners[rim[:, 0]].mean(axis=0, keepdims=True))
+    if not widths or not max(widths) <= _WIDEST_HOLE * min(surface.extents):  # or no numbers
+        return []
+    surface.vertices, surface.faces = np.concatenate(middles), np.concatenate(faces)
+    return [f"covered {len(widths)} holes, up to {max(widths):.2g} mm wide"]
 
 
 def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:

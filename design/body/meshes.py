@@ -181,7 +181,9 @@ def undercut(
         depth = least_width_mm(points, pull)
         if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
             whole = float(np.ptp(points @ pull)) * lean
-            depth = min(depth, whole, _deepest_strip_mm(mesh, np.array(patch), pull))
+            depth = min(depth, whole)
+            if depth > deepest:  # strips can only make it less
+                depth = min(depth, _deepest_strip_mm(mesh, np.array(patch), pull))
         if depth > deepest:
             deepest, place = depth, points.mean(axis=0)
     return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
