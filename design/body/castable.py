@@ -120,7 +120,8 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
     """Return a closed surface as a body that the halves of a mould let go, along axes of its own.
 
     The seam's plane lies across an axis of the tightest box or of inertia. Of those out of which the scan
-    stands little farther than out of the best, it is that which changes the least volume.
+    stands little farther than out of the best, it is that which changes the least volume, but not across the
+    longest edge.
     """
     import trimesh
 
@@ -132,9 +133,10 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
         for body in _evened_bodies(scan.copy().apply_transform(axes))
     ]
     least = min(body.evened_mm for body in tried) + _AS_LITTLE_MM
-    return min(
-        (body for body in tried if body.evened_mm <= least), key=lambda body: body.changed_mm3
-    )
+    even = [body for body in tried if body.evened_mm <= least]
+    # a seam along the longest edge has flat lids at its ends, where air would stay in hollow ones
+    along = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
+    return min(along or even, key=lambda body: body.changed_mm3)
 
 
 def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:

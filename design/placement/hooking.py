@@ -107,9 +107,9 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         raise SpecError(
             f"{hooked}. Made even about a plane and its hollows filled it would be another body: "
             f"{filled:.0%} of it more than {most_mm:.2g} mm off the scan, which stands out of it by up to "
-            f"{castable.evened_mm:.2g} mm. Moulds of more than two halves are not made. Take a simple body of "
-            f"that size, as --kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
-            "the file"
+            f"{castable.evened_mm:.2g} mm. Moulds of more than two halves are not made. Take a simple body "
+            f"of that size, as --kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the "
+            "program that made the file"
         )
     text = (
         f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
