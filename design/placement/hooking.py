@@ -44,7 +44,7 @@ _SPARE, _EXACT_MM = 1.1, 1e-6
 """Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
-_MOST_OFF, _MOST_FILLED = 0.15, 0.2
+_MOST_OFF, _MOST_FILLED = 0.15, 0.15
 """Distance of a castable body to its scan, as a share of its shortest edge, and share of its surface that may
 lie farther off, over hollows that are filled: beyond, it is another body."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm

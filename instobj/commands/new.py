@@ -102,8 +102,9 @@ def new_specification(
     if request is not None:
         try:
             if request.file:
+                exact = exact_kind_in_words(request)
                 request, changed = castable_request(request, castable)
-                for text in filter(None, (changed, exact_kind_in_words(request))):
+                for text in filter(None, (changed, exact)):
                     warnings.warn(text, stacklevel=2)
             tables, failed = (design or designed)(request)
         except BaseException:

@@ -488,7 +488,9 @@ def test_a_scan_that_hooks_is_designed_without_its_hollows(tmp_path):
     request = request_of(file=tin(tmp_path))
     with (
         pytest.warns(UserWarning, match="all within 5 mm, over hollows"),
-        pytest.warns(UserWarning, match=r"a cylinder within 0\.0.*`--kind cylinder --size 59\.9"),
+        pytest.warns(
+            UserWarning, match=r"a cylinder within 0\.0.*`--kind cylinder --size 60 60 90`"
+        ),
         pytest.raises(InputError, match="too small"),
     ):
         new_specification("mine", tmp_path, request, no_place)
