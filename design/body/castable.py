@@ -23,27 +23,22 @@ _GRID_POINTS = 250_000
 _SMOOTHED_STEPS = 0.7
 """Standard deviation, in steps of the grid, by which distances are smoothed: noise that neighbouring corners
 share goes, and edges lose some tenths of a millimetre."""
+_NEARLY_CONVEX = 1.05
+"""Volume of a body's convex hull over its own, up to which the hull is taken: that of a can with rims."""
 _SAMPLES = 3000
 """Points of a surface at which its distance to another is measured."""
 _AS_LITTLE_MM = 1.0
 """Distance by which a scan may stand farther out of one body than of another that counts as good."""
 _NOISE_MM = 0.02
-"""Noise of a scan's corners (one standard deviation) from which they are smoothed: as much as a tenth of a
-printed layer."""
+"""Noise of a scan's corners (one standard deviation) from which it is a scan: a tenth of a printed layer."""
 _FEWEST_CORNERS = 1000
 """A file of fewer corners is drawn, not scanned."""
 _ASKEW, _LONGER = 1.2, 1.05
 """Volume of a scan's box over that of its tightest one, and longest extent along its axes of inertia over
 that along x, y and z, beyond which it lies askew."""
-_MOST_MOVED = 3.0
-"""Times its noise by which half of a scan's corners may be moved: smoothing moves them farther where it takes
-shape away, as from sharp edges."""
 _REST_OF_NOISE = 1.36
 """Standard deviation of what `noise_mm` leaves of independent noise of deviation 1, where corners have six
 neighbours: drawn, on meshes of 2 500 and 41 000 corners."""
-_SMOOTHINGS, _SHRINK, _GROW = 20, 0.5, 0.53
-"""Taubin's smoothing (1995): steps in turn towards the neighbours' mean and away from it, which keep the
-volume. Twenty leave a twentieth of independent noise."""
 
 
 @dataclass(frozen=True)
@@ -85,38 +80,24 @@ def noise_mm(surface: trimesh.Trimesh) -> float:
     return float(1.4826 * np.median(abs(rest - np.median(rest)))) / _REST_OF_NOISE
 
 
-def without_noise(scan: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
-    """Return a scan smoothed, its box's middle in the origin, and how far a corner was moved at most (mm).
+def what_scans_have(surface: trimesh.Trimesh) -> str:
+    """Say what a file's surface has that scans have and drawn bodies lack, noise or axes askew; or nothing.
 
-    The scan itself and 0 where it has no noise, or where smoothing would take shape away. Noise that
-    neighbouring corners share is not seen and stays.
+    It lies askew where its tightest box is clearly smaller than that along x, y and z, or where its axes of
+    inertia show it longer.
     """
     import trimesh
 
-    noise = noise_mm(scan)
-    if len(scan.vertices) < _FEWEST_CORNERS or noise < _NOISE_MM:
-        return scan, 0.0
-    smooth = scan.copy()
-    trimesh.smoothing.filter_taubin(smooth, _SHRINK, _GROW, _SMOOTHINGS)
-    moved = np.linalg.norm(smooth.vertices - scan.vertices, axis=1)
-    if np.median(moved) > _MOST_MOVED * noise:
-        return scan, 0.0
-    smooth.apply_translation(-smooth.bounds.mean(axis=0))
-    return smooth, float(moved.max())
-
-
-def lies_askew(scan: trimesh.Trimesh) -> bool:
-    """Return whether a scan's tightest box is clearly smaller than that along x, y and z, or its axes of
-    inertia show it longer."""
-    import trimesh
-
-    if len(scan.vertices) < _FEWEST_CORNERS:
-        return False
-    _, tightest = trimesh.bounds.oriented_bounds(scan.convex_hull)
-    along = np.ptp(scan.vertices @ scan.principal_inertia_vectors.T, axis=0).max()
-    return bool(
-        np.prod(scan.extents) > _ASKEW * np.prod(tightest) or along > _LONGER * max(scan.extents)
-    )
+    if len(surface.vertices) < _FEWEST_CORNERS:
+        return ""
+    noise = noise_mm(surface)
+    if noise > _NOISE_MM:
+        return f"this scan is noisy, by {noise:.2g} mm"
+    _, tightest = trimesh.bounds.oriented_bounds(surface.convex_hull)
+    extents, along = surface.extents, surface.vertices @ surface.principal_inertia_vectors.T
+    askew = np.prod(extents) > _ASKEW * np.prod(tightest)
+    longer = np.ptp(along, axis=0).max() > _LONGER * max(extents)
+    return "this scan lies askew" if askew or longer else ""
 
 
 def castable_body(scan: trimesh.Trimesh) -> CastableBody:
@@ -166,6 +147,8 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         standing_out = float(map_coordinates(even, places, order=1).max())
         changed = float(np.sum((even < 0) != (distance < 0))) * step**3
         surface = _simplified(contour_of(even, points[0], step))
+        if surface.convex_hull.volume < _NEARLY_CONVEX * surface.volume:
+            surface = surface.convex_hull  # air rises to one place of it
         samples, _ = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)
         off_mm = distance_mm(scan, np.asarray(samples))
         surface.apply_transform(_axes_to_y_and_z(axis, scan.extents))

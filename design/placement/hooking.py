@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.body.castable import castable_body, lies_askew, without_noise
+from design.body.castable import castable_body, what_scans_have
 from design.body.imported import body_of_file, read_surface
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
@@ -69,10 +69,10 @@ def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
 
 
 def castable_request(request: Request, target: Path) -> tuple[Request, str]:
-    """Return the request for the scan made castable, written to `target`, and what was done in words.
+    """Return the request for the scan's `castable_body`, written to `target`, and what was done in words.
 
-    Its noise is smoothed (`without_noise`); then it becomes its `castable_body` where silicone does not give
-    way by what the best seam about z hooks. The request itself and "" where neither is needed.
+    The request itself and "" of a file that is neither noisy nor askew, where silicone gives way by what the
+    best seam about z hooks.
 
     Raises
     ------
@@ -82,41 +82,32 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
     if not KINDS[request.kind].from_file:
         return request, ""
     file = dict(request.file)
-    smooth, moved_mm = without_noise(read_surface(file["file"], file["scale"]))
-    noisy = ""
-    if moved_mm:
-        noisy = f"the scan is noisy, and smoothing moves its corners by up to {moved_mm:.2g} mm"
-        request = _request_of(request, smooth, target)
-    askew = lies_askew(smooth)
-    needed_mm = np.inf if askew else _needed_mm(request)
-    if needed_mm <= _THICKEST_MM:
-        return request, noisy and f"{noisy}: {target} is designed instead"
-    castable = castable_body(smooth)
+    scan = read_surface(file["file"], file["scale"])
+    why = what_scans_have(scan)
+    if not why:
+        needed_mm = _needed_mm(request)
+        if needed_mm <= _THICKEST_MM:
+            return request, ""
+        hooked_mm, gives_mm = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, _THICKEST_MM))
+        why = f"halves of a mould would hook this body by {hooked_mm:.2g} mm, and silicone gives way by "
+        why += f"{gives_mm:.2g} mm"
+    castable = castable_body(scan)
     x, y, z = castable.surface.extents
-    most_mm, off_mm = _MOST_OFF * min(x, y, z), castable.off_mm
+    most_mm, off_mm, out_mm = _MOST_OFF * min(x, y, z), castable.off_mm, castable.evened_mm
     filled = float(np.mean(off_mm > most_mm))
-    hooked = (noisy and f"{noisy}; ") + (
-        "this scan lies askew"
-        if askew
-        else "halves of a mould would hook this body by "
-        f"{needed_mm * COMPLIANCE_FRACTION / _SPARE:.2g} mm, and {_THICKEST_MM:g} mm of silicone give way by "
-        f"{_THICKEST_MM * COMPLIANCE_FRACTION:.2g} mm"
-    )
-    if castable.evened_mm > most_mm or filled > _MOST_FILLED:
-        target.unlink(missing_ok=True)
+    if out_mm > most_mm or filled > _MOST_FILLED:
         raise SpecError(
-            f"{hooked}. Made even about a plane and its hollows filled it would be another body: "
+            f"{why}. Made even about a plane and its hollows filled it would be another body: "
             f"{filled:.0%} of it more than {most_mm:.2g} mm off the scan, which stands out of it by up to "
-            f"{castable.evened_mm:.2g} mm. Moulds of more than two halves are not made. Take a simple body "
-            f"of that size, as --kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the "
-            "program that made the file"
+            f"{out_mm:.2g} mm. Moulds of more than two halves are not made. Take a simple body of that size, "
+            f"as --kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
+            "the file"
         )
     text = (
-        f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
-        f"whose sides are mirror images. Half of it lies within {np.median(off_mm):.2g} mm of the "
-        f"{'smoothed ' if noisy else ''}scan, 95 % within {np.percentile(off_mm, 95):.2g} mm, all within "
-        f"{off_mm.max():.2g} mm, over hollows that are filled; the scan stands out of it by up to "
-        f"{castable.evened_mm:.2g} mm"
+        f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
+        f"whose sides are mirror images. Half of it lies within {np.median(off_mm):.2g} mm of the scan, 95 % "
+        f"within {np.percentile(off_mm, 95):.2g} mm, all within {off_mm.max():.2g} mm, over hollows that are "
+        f"filled; the scan stands out of it by up to {out_mm:.2g} mm"
     )
     return _request_of(request, castable.surface, target), text
 
