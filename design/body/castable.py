@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.ndimage import gaussian_filter, map_coordinates
 
-from design.body.meshes import distance_mm, manifold_of
+from design.body.meshes import distance_mm, simplified
 from design.body.sampled import contour_of, grid_points, measured_where_near
 
 if TYPE_CHECKING:
@@ -109,15 +109,15 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
     """
     import trimesh
 
-    scan = _simplified(scan)
+    scan = simplified(scan, _SIMPLIFIED_MM)
     box_axes, _ = trimesh.bounds.oriented_bounds(scan.convex_hull)
     tried = [
         body
         for axes in (box_axes, scan.principal_inertia_transform)
         for body in _evened_bodies(scan.copy().apply_transform(axes))
     ]
-    least = min(body.evened_mm for body in tried) + _AS_LITTLE_MM
-    even = [body for body in tried if body.evened_mm <= least]
+    least = min(body.evened_mm for body in tried)
+    even = [body for body in tried if body.evened_mm <= least + _AS_LITTLE_MM]
     # a seam along the longest edge has flat lids at its ends, where air would stay in hollow ones
     along = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
     return min(along or even, key=lambda body: body.changed_mm3)
@@ -146,7 +146,7 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         even = gaussian_filter(even, _SMOOTHED_STEPS, mode="nearest")  # lines stay in one piece
         standing_out = float(map_coordinates(even, places, order=1).max())
         changed = float(np.sum((even < 0) != (distance < 0))) * step**3
-        surface = _simplified(contour_of(even, points[0], step))
+        surface = simplified(contour_of(even, points[0], step), _SIMPLIFIED_MM)
         if surface.convex_hull.volume < _NEARLY_CONVEX * surface.volume:
             surface = surface.convex_hull  # air rises to one place of it
         samples, _ = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)
@@ -154,13 +154,6 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         surface.apply_transform(_axes_to_y_and_z(axis, scan.extents))
         surface.apply_translation(-surface.bounds.mean(axis=0))
         yield CastableBody(surface, off_mm, max(standing_out, 0.0), changed)
-
-
-def _simplified(surface: trimesh.Trimesh) -> trimesh.Trimesh:
-    import trimesh
-
-    simple = manifold_of(surface).simplify(_SIMPLIFIED_MM).to_mesh64()
-    return trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
 
 
 def _axes_to_y_and_z(mirrored: int, extents_mm: Float[np.ndarray, "3"]) -> Float[np.ndarray, "4 4"]:

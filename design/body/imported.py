@@ -186,16 +186,14 @@ def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
 
     Such a triangle closes the side of a wide one at a corner in its middle: left out, it leaves a slit.
     """
-    import trimesh
-
     if surface.nondegenerate_faces().all():
         return surface
-    from design.body.meshes import manifold_of
+    from design.body.meshes import simplified
 
-    closed = manifold_of(surface).simplify(_WELD_MM).to_mesh64()
-    if not len(closed.tri_verts):  # no surface that Manifold takes; told where it crosses itself
-        return surface
-    return trimesh.Trimesh(closed.vert_properties[:, :3], closed.tri_verts.astype(np.int64))
+    closed = simplified(surface, _WELD_MM)
+    return (
+        closed if len(closed.faces) else surface
+    )  # which Manifold does not take: it crosses itself
 
 
 def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
+from design.body.meshes import simplified
 from design.body.surface_chart import STEEPEST, STEEPEST_TOUCHED, FaceFrame, face_axes
 from design.errors import InputError
 
@@ -257,7 +258,7 @@ def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
             f"walls of shell.thickness_mm = {thickness_mm:g} leave {len(pieces)} pieces of core in this "
             "body. Make the shell thinner or the body larger"
         )
-    return _without_slivers(pieces[0])
+    return simplified(pieces[0], _SLIVERS_MM)
 
 
 def contour_of(
@@ -277,19 +278,6 @@ def contour_of(
     surface = trimesh.Trimesh(contour.points, contour.faces.reshape(-1, 4)[:, 1:])
     surface.fix_normals()
     return surface
-
-
-def _without_slivers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The same surface within 0.01 mm, by fewer and better triangles."""
-    import manifold3d
-    import trimesh
-
-    mesh = manifold3d.Mesh64(
-        vert_properties=np.asarray(surface.vertices, np.float64),
-        tri_verts=np.asarray(surface.faces, np.uint64),
-    )
-    simple = manifold3d.Manifold(mesh).simplify(_SLIVERS_MM).to_mesh64()
-    return trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
 
 
 def _no_core(body: BodyKind, thickness_mm: float) -> str:

@@ -88,20 +88,18 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         needed_mm = _needed_mm(request)
         if needed_mm <= _THICKEST_MM:
             return request, ""
-        hooked_mm, gives_mm = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, _THICKEST_MM))
-        why = f"halves of a mould would hook this body by {hooked_mm:.2g} mm, and silicone gives way by "
-        why += f"{gives_mm:.2g} mm"
+        hooked, gives = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, _THICKEST_MM))
+        why = f"halves of a mould hook this body by {hooked:.2g} mm; silicone gives way by {gives:.2g}"
     castable = castable_body(scan)
     x, y, z = castable.surface.extents
     most_mm, off_mm, out_mm = _MOST_OFF * min(x, y, z), castable.off_mm, castable.evened_mm
     filled = float(np.mean(off_mm > most_mm))
     if out_mm > most_mm or filled > _MOST_FILLED:
         raise SpecError(
-            f"{why}. Made even about a plane and its hollows filled it would be another body: "
-            f"{filled:.0%} of it more than {most_mm:.2g} mm off the scan, which stands out of it by up to "
-            f"{out_mm:.2g} mm. Moulds of more than two halves are not made. Take a simple body of that size, "
-            f"as --kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
-            "the file"
+            f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
+            f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
+            "Moulds of more than two halves are not made. Take a simple body, as --kind ellipsoid --size "
+            f"{x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made the file"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "

@@ -330,23 +330,7 @@ def told_unmade(failed: list[Finding], tables: Tables) -> str:
     text = "check --fabrication fails on this body, in whatever of the ways of placing that help:"
     if all(map(_thin_mould, failed)):
         return f"{text}{lines}{_why_seams_do_not_help(tables)}"
-    hooked = any(finding.check == "undercut" for finding in failed)
-    return f"{text}{lines}{_least_hooked_seam(tables) if hooked else ''}"
-
-
-def _least_hooked_seam(tables: Tables) -> str:
-    """Return which seam hooks a file's body least; empty of other kinds."""
-    if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
-        return ""
-    spec = spec_of(tables)
-    room = COMPLIANCE_FRACTION * spec.shell.thickness_mm
-    depth, azimuth = min(
-        (depth, azimuth) for azimuth, depth in hooked_by_azimuth_mm(tables).items()
-    )
-    return (
-        f"\nOf all seams about z that with mould.parting_azimuth_deg = {azimuth % 180:g} hooks it least, by "
-        f"about {depth:.2g} mm of {room:.2g} that give way"
-    )
+    return f"{text}{lines}"
 
 
 def _why_seams_do_not_help(tables: Tables) -> str:
