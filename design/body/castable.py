@@ -94,9 +94,9 @@ def what_scans_have(surface: trimesh.Trimesh) -> str:
     if noise > _NOISE_MM:
         return f"this scan is noisy, by {noise:.2g} mm"
     _, tightest = trimesh.bounds.oriented_bounds(surface.convex_hull)
-    extents, along = surface.extents, surface.vertices @ surface.principal_inertia_vectors.T
-    askew = np.prod(extents) > _ASKEW * np.prod(tightest)
-    longer = np.ptp(along, axis=0).max() > _LONGER * max(extents)
+    along = surface.vertices @ surface.principal_inertia_vectors.T
+    askew = np.prod(surface.extents) > _ASKEW * np.prod(tightest)
+    longer = np.ptp(along, axis=0).max() > _LONGER * max(surface.extents)
     return "this scan lies askew" if askew or longer else ""
 
 
@@ -116,8 +116,8 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
         for axes in (box_axes, scan.principal_inertia_transform)
         for body in _evened_bodies(scan.copy().apply_transform(axes))
     ]
-    least = min(body.evened_mm for body in tried)
-    even = [body for body in tried if body.evened_mm <= least + _AS_LITTLE_MM]
+    most = min(body.evened_mm for body in tried) + _AS_LITTLE_MM
+    even = [body for body in tried if body.evened_mm <= most]
     # a seam along the longest edge has flat lids at its ends, where air would stay in hollow ones
     along = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
     return min(along or even, key=lambda body: body.changed_mm3)
@@ -135,7 +135,7 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
     step = (float(np.prod(scan.extents)) / _GRID_POINTS) ** (1 / 3)
     points, count = grid_points(scan.extents / 2, step)
     distance = measured_where_near(scan, points, count, step, mirrored=False)
-    between, _ = trimesh.sample.sample_surface(scan, _SAMPLES, seed=0)
+    between = trimesh.sample.sample_surface(scan, _SAMPLES, seed=0)[0]
     places = (np.concatenate([scan.vertices, between]) - points[0]).T / step
     for axis in range(3):
         across = np.moveaxis(distance, axis, 0)
@@ -149,7 +149,7 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         surface = simplified(contour_of(even, points[0], step), _SIMPLIFIED_MM)
         if surface.convex_hull.volume < _NEARLY_CONVEX * surface.volume:
             surface = surface.convex_hull  # air rises to one place of it
-        samples, _ = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)
+        samples = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)[0]
         off_mm = distance_mm(scan, np.asarray(samples))
         surface.apply_transform(_axes_to_y_and_z(axis, scan.extents))
         surface.apply_translation(-surface.bounds.mean(axis=0))

@@ -167,7 +167,7 @@ def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
     ]
     edges = surface.edges[first[count == 1]]
     corners, widths = np.asarray(surface.vertices), list[float]()
-    faces, middles = [surface.faces], [corners]
+    faces, middles = [np.asarray(surface.faces)], [corners]
     loops = trimesh.graph.connected_component_labels(edges, len(corners))[edges[:, 0]]
     for loop in np.unique(loops):
         rim = edges[loops == loop]
