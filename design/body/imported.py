@@ -109,7 +109,7 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         trimesh.repair.fill_holes(surface)
         if len(surface.faces) > faces_before:
             done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
-        done += _cover_holes(surface)
+        done += [] if surface.is_watertight else _cover_holes(surface)
         _require_closed(surface, path)
         # each triangle of a soup gets one more on its back, and both enclose nothing
         if not _solid_pieces(surface):
@@ -162,9 +162,7 @@ def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
     the widest was."""
     import trimesh
 
-    first, count = np.unique(surface.edges_sorted, axis=0, return_index=True, return_counts=True)[
-        1:
-    ]
+    _, first, count = np.unique(surface.edges_sorted, axis=0, return_index=True, return_counts=True)
     edges = surface.edges[first[count == 1]]
     corners, widths = np.asarray(surface.vertices), list[float]()
     faces, middles = [np.asarray(surface.faces)], [corners]
@@ -175,7 +173,9 @@ def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
         middle = np.full(len(rim), len(corners) + len(widths) - 1)
         faces.append(np.column_stack([rim[:, ::-1], middle]))
         middles.append(corners[rim[:, 0]].mean(axis=0, keepdims=True))
-    if not widths or not max(widths) <= _WIDEST_HOLE * min(surface.extents):  # or no numbers
+    if not np.isfinite(corners).all() or max(widths, default=np.inf) > _WIDEST_HOLE * min(
+        surface.extents
+    ):
         return []
     surface.vertices, surface.faces = np.concatenate(middles), np.concatenate(faces)
     return [f"covered {len(widths)} holes, up to {max(widths):.2g} mm wide"]

@@ -21,7 +21,7 @@ from design.layout.mould.closure import (
     flange_span_mm,
 )
 from design.layout.mould.frame import MouldFrame, mould_frame, mould_style
-from design.solids.booleans import common
+from design.solids.booleans import common, cut
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
@@ -102,7 +102,7 @@ def grip_solid(
             frame.axes @ np.array(p) for p in ((edge, 0.0, seat), (middle, 0.0, seat + rise))
         )
         cutters.append(common(prism_over_slope(frame, foot, ridge, inner_mm), room))
-    return whole.cut(*cutters)
+    return cut(whole, *cutters)
 
 
 def prism_over_slope(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
+from design.body.castable import without_noise
 from design.body.imported import read_surface
 from design.body.kinds.registry import KINDS
 from design.body.meshes import distance_mm
@@ -72,7 +73,7 @@ def exact_kind_in_words(request: Request) -> str:
     """Return which options take the exact kind in place of the request's file, whose hollows are filled;
     empty where none does."""
     file = dict(request.file)
-    surface = read_surface(file["file"], file["scale"])
+    surface, _ = without_noise(read_surface(file["file"], file["scale"]))
     exact = exact_kind(surface.convex_hull)
     if exact is None:
         return ""

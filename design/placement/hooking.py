@@ -18,6 +18,7 @@ import numpy as np
 from design.body.castable import castable_body, what_scans_have
 from design.body.imported import body_of_file, read_surface
 from design.body.kinds.registry import KINDS
+from design.body.sampled import measured_distance_mm
 from design.errors import SpecError
 from design.files import atomic_path
 from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_depth_mm
@@ -47,6 +48,8 @@ _THICKEST_MM = 16.0
 _MOST_OFF, _MOST_FILLED = 0.15, 0.15
 """Distance of a castable body to its scan, as a share of its shortest edge, and share of its surface that may
 lie farther off, over hollows that are filled: beyond, it is another body."""
+_LEAST_DEEP = 0.25
+"""Depth of the middle of a body's box below its surface, as a share of its shortest edge, at least."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
 
 
@@ -100,6 +103,14 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
             f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
             "Moulds of more than two halves are not made. Take a simple body, as --kind ellipsoid --size "
             f"{x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made the file"
+        )
+    deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
+    if deep_mm < _LEAST_DEEP * min(x, y, z):
+        side = "below" if deep_mm > 0 else "outside"
+        raise SpecError(
+            f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
+            "thin bodies: there the core is held, and its wires leave. Take a "
+            f"straight body, as --kind capsule --size {min(x, y):.4g} {min(x, y):.4g} {z:.4g}"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "

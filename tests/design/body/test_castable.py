@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from design.body.castable import castable_body, noise_mm, what_scans_have
+from design.body.castable import castable_body, noise_mm, what_scans_have, without_noise
 from design.body.imported import read_surface
 from design.body.meshes import boolean_of, distance_mm
 
@@ -123,13 +123,16 @@ def noisy_pear(deviation_mm, finer):
 @pytest.mark.parametrize("finer", [False, True])
 @pytest.mark.parametrize("deviation_mm", [0.03, 0.1, 0.2])
 def test_noise_is_measured_and_smoothed(deviation_mm, finer):
+    """The smoothed scan is nearer to the true pear, but for 0.03 mm that coarse corners lose of its shape."""
     noisy, true = noisy_pear(deviation_mm, finer)
     assert noise_mm(noisy) == pytest.approx(deviation_mm, rel=0.1)
-    assert "noisy" in what_scans_have(noisy)
-    body = castable_body(noisy)
-    assert noise_mm(body.surface) < 0.01 + 0.1 * deviation_mm
-    assert body.surface.volume == pytest.approx(true.volume, rel=0.01)
-    assert np.median(body.off_mm) < 0.05 + deviation_mm
+    smooth, moved_mm = without_noise(noisy)
+    assert noise_mm(smooth) < 0.1 * deviation_mm
+    true.apply_translation(smooth.center_mass - true.center_mass)
+    off_mm = distance_mm(true, np.asarray(smooth.vertices))
+    assert np.sqrt(np.mean(off_mm**2)) < 0.03 + 0.5 * deviation_mm
+    assert smooth.volume == pytest.approx(true.volume, rel=5e-3)
+    assert 2 * deviation_mm < moved_mm < 6 * deviation_mm + 0.2
 
 
 @pytest.mark.parametrize(
@@ -145,4 +148,6 @@ def test_noise_is_measured_and_smoothed(deviation_mm, finer):
     ],
 )
 def test_shape_is_no_noise(body):
-    assert "noisy" not in what_scans_have(body)
+    smooth, moved_mm = without_noise(body)
+    assert smooth is body
+    assert moved_mm == 0.0
