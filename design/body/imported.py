@@ -87,6 +87,10 @@ def _read_unchanged(path: Path, digest: str) -> trimesh.Trimesh:
     import trimesh
 
     surface = read_foreign_surface(path, _missing(path))
+    if not np.isfinite(surface.vertices_mm).all():
+        raise InputError(
+            f"the surface in {path} is open: it has corners that are no numbers. Export it anew"
+        )
     return trimesh.Trimesh(surface.vertices_mm, surface.triangles)
 
 
@@ -173,9 +177,7 @@ def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
         middle = np.full(len(rim), len(corners) + len(widths) - 1)
         faces.append(np.column_stack([rim[:, ::-1], middle]))
         middles.append(corners[rim[:, 0]].mean(axis=0, keepdims=True))
-    if not np.isfinite(corners).all() or max(widths, default=np.inf) > _WIDEST_HOLE * min(
-        surface.extents
-    ):
+    if max(widths, default=np.inf) > _WIDEST_HOLE * min(surface.extents):
         return []
     surface.vertices, surface.faces = np.concatenate(middles), np.concatenate(faces)
     return [f"covered {len(widths)} holes, up to {max(widths):.2g} mm wide"]
