@@ -21,7 +21,7 @@ from design.layout.mould.closure import (
     flange_span_mm,
 )
 from design.layout.mould.frame import MouldFrame, mould_frame, mould_style
-from design.solids.booleans import common, cut
+from design.solids.booleans import Shape, common, cut
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
@@ -86,7 +86,7 @@ def grip_solid(
     across_mm: tuple[float, float],
     inner_mm: float,
     levels_mm: tuple[float, float],
-) -> cq.Shape:
+) -> Shape:
     """The gable with its chamfers: a box, cut by a prism over each slope."""
     left, right = across_mm
     middle, (seat, top) = (left + right) / 2, levels_mm

@@ -517,7 +517,7 @@ def test_a_noisy_scan_is_designed_smooth(tmp_path):
         asked.append(request)
         return placed_tables("box") | {"body": {"kind": "box", "size_mm": [50.0, 50.0, 50.0]}}, []
 
-    with pytest.warns(UserWarning, match=r"noisy, by 0\.1 mm: .* is designed instead"):
+    with pytest.warns(UserWarning, match=r"noisy, by 0\.098 mm: .* is designed instead"):
         new_specification("mine", tmp_path, request_of(file=tmp_path / "scan.stl"), placed)
     castable = tmp_path / "mine_castable.stl"
     assert [dict(request.file)["file"] for request in asked] == [str(castable)]
