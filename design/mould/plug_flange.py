@@ -32,7 +32,7 @@ BLOCK_MM = 10.0
 CHAMFER_MM = 3.0
 
 
-def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
+def flange_solids(spec: ObjectSpec) -> list[Shape]:
     """Bridge, blocks with their clips, and grip, in the object's frame (mm)."""
     frame, play = mould_frame(spec), spec.printer.clearance_mm
     left, right = flange_span_mm(spec)
@@ -40,7 +40,7 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     (start, end), inner = clip_mm(spec), grip_half_mm(frame)
     bridge = wall - spec.mould.wall_mm - play
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
-    solids: list[cq.Shape] = [
+    solids: list[Shape] = [
         _box(frame, (left, right), (-bridge, bridge), (rim, seat)),
         grip_solid(frame, (left, right), inner, (seat, top)),
     ]
