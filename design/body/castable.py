@@ -1,30 +1,41 @@
-"""Scans made castable: without noise, and as convex bodies that two halves of a mould let go."""
+"""Scans made castable: without noise, and as bodies that two halves of a mould let go."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
+from scipy.ndimage import gaussian_filter, map_coordinates
 
-from design.body.meshes import distance_mm, manifold_of
+from design.body.meshes import distance_mm, simplified
+from design.body.sampled import contour_of, grid_points, measured_where_near
 
 if TYPE_CHECKING:
     import trimesh
 
 _SIMPLIFIED_MM = 0.05
 """Tolerance within which a scan's triangles are merged: less than a printed layer."""
-_DIRECTIONS = 6000
-"""Directions, evenly over the sphere, in which the even body is supported: 2.5° apart, so that between them a
-ball of radius r is short of r by a part in 1600 at most (0.02 mm of 30 mm)."""
+_GRID_POINTS = 250_000
+"""Points of the grid over a scan's box on which distances are measured: 1.2 mm apart in a soup can's."""
+_SMOOTHED_STEPS = 0.7
+"""Standard deviation, in steps of the grid, by which distances are smoothed: noise that neighbouring corners
+share goes, and edges lose some tenths of a millimetre."""
+_NEARLY_CONVEX = 1.05
+"""Volume of a body's convex hull over its own, up to which the hull is taken: that of a can with rims."""
 _SAMPLES = 3000
-"""Points of the convex body at which its distance to the scan is measured."""
+"""Points of a surface at which its distance to another is measured."""
+_AS_LITTLE_MM = 1.0
+"""Distance by which a scan may stand farther out of one body than of another that counts as good."""
 _NOISE_MM = 0.02
-"""Noise of a scan's corners (one standard deviation) from which they are smoothed: as much as a tenth of a
-printed layer."""
+"""Noise of a scan's corners (one standard deviation) from which it is a scan: a tenth of a printed layer."""
 _FEWEST_CORNERS = 1000
 """A file of fewer corners is drawn, not scanned."""
+_ASKEW, _LONGER = 1.2, 1.05
+"""Volume of a scan's box over that of its tightest one, and longest extent along its axes of inertia over
+that along x, y and z, beyond which it lies askew."""
 _MOST_MOVED = 3.0
 """Times its noise by which half of a scan's corners may be moved: smoothing moves them farther where it takes
 shape away, as from sharp edges."""
@@ -38,20 +49,22 @@ volume. Twenty leave a twentieth of independent noise."""
 
 @dataclass(frozen=True)
 class CastableBody:
-    """A convex body with y → −y as its mirror image: a seam in y = 0 hooks nothing.
+    """A body with y → −y as its mirror image that lines along y meet in one piece: a seam in y = 0 hooks
+    nothing.
 
     Attributes
     ----------
-    surface : closed, along the axes of the hull's tightest box and longest along z, its middle in the
-        origin
-    off_mm : largest and median distance to the scan of the surface whose hollows are filled; over a deep
-        hollow that is the distance to its nearest wall
-    evened_mm : largest distance by which both sides were moved to be mirror images
+    surface : closed, no longer along x than along z, its box's middle in the origin
+    off_mm : distances to the scan of points evenly over `surface`; over a deep hollow that is filled, to its
+        nearest wall
+    evened_mm : largest distance by which the scan stands out of it
+    changed_mm3 : volume that is in one of both alone
     """
 
     surface: trimesh.Trimesh
-    off_mm: tuple[float, float]
+    off_mm: Float[np.ndarray, "point"]
     evened_mm: float
+    changed_mm3: float
 
 
 def noise_mm(surface: trimesh.Trimesh) -> float:
@@ -93,70 +106,86 @@ def without_noise(scan: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
     return smooth, float(moved.max())
 
 
+def what_scans_have(surface: trimesh.Trimesh) -> str:
+    """Say what a file's surface has that scans have and drawn bodies lack, noise or axes askew; or nothing.
+
+    It lies askew where its tightest box is clearly smaller than that along x, y and z, or where its axes of
+    inertia show it longer.
+    """
+    import trimesh
+
+    if len(surface.vertices) < _FEWEST_CORNERS:
+        return ""
+    if without_noise(surface)[1]:
+        return f"this scan is noisy, by {noise_mm(surface):.2g} mm"
+    _, tightest = trimesh.bounds.oriented_bounds(surface.convex_hull)
+    along = surface.vertices @ surface.principal_inertia_vectors.T
+    askew = np.prod(surface.extents) > _ASKEW * np.prod(tightest)
+    longer = np.ptp(along, axis=0).max() > _LONGER * max(surface.extents)
+    return "this scan lies askew" if askew or longer else ""
+
+
 def castable_body(scan: trimesh.Trimesh) -> CastableBody:
-    """Return the convex hull of a closed surface, turned into its tightest box and made even.
+    """Return a closed surface as a body that the halves of a mould let go, along axes of its own.
 
-    Minkowski's mean of a convex body and its mirror image is convex and its own mirror image; its widest
-    section is then that by the mirror plane. Of the planes across the box's two shorter edges the
-    one that moves the surface less is taken.
+    The seam's plane lies across an axis of the tightest box or of inertia. Of those out of which the scan
+    stands little farther than out of the best, it is that which changes the least volume, but not across the
+    longest edge.
     """
     import trimesh
 
-    simple = manifold_of(scan).simplify(_SIMPLIFIED_MM).to_mesh64()
-    scan = trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
-    hull = scan.convex_hull
-    to_box, _ = trimesh.bounds.oriented_bounds(hull)
-    hull.apply_transform(to_box)
-    scan.apply_transform(to_box)
-    points = trimesh.sample.sample_surface(hull, _SAMPLES, seed=0)[0]
-    gaps = distance_mm(scan, np.asarray(points))
-    *shorter, longest = np.argsort(hull.extents).tolist()
-    evened = {axis: _evened(hull, np.eye(3)[axis]) for axis in shorter}
-    mirrored = min(shorter, key=lambda axis: evened[axis][1])
-    surface, moved_mm = evened[mirrored]
-    surface.apply_transform(_axes_to_y_and_z(mirrored, longest))
-    surface.apply_translation(-surface.bounds.mean(axis=0))
-    return CastableBody(surface, (float(gaps.max()), float(np.median(gaps))), moved_mm)
+    scan = simplified(scan, _SIMPLIFIED_MM)
+    box_axes, _ = trimesh.bounds.oriented_bounds(scan.convex_hull)
+    tried = [
+        body
+        for axes in (box_axes, scan.principal_inertia_transform)
+        for body in _evened_bodies(scan.copy().apply_transform(axes))
+    ]
+    most = min(body.evened_mm for body in tried) + _AS_LITTLE_MM
+    even = [body for body in tried if body.evened_mm <= most]
+    # a seam along the longest edge has flat lids at its ends, where air would stay in hollow ones
+    along = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
+    return min(along or even, key=lambda body: body.changed_mm3)
 
 
-def _evened(hull: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[trimesh.Trimesh, float]:
-    """Return Minkowski's mean of a hull and its mirror image, and the Hausdorff distance to the hull.
+def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
+    """Yield bodies that planes across x, y and z mirror.
 
-    By its points of support, in even directions and along the normals of the facets of both.
+    On a grid the signed distance becomes the mean of the scan's and its mirror image's, then the least from
+    there outwards along the normal. Lines along the normal then meet the body in one piece.
     """
     import trimesh
 
-    corners, facets = np.asarray(hull.vertices), np.asarray(hull.face_normals)
-    ways = np.concatenate([even_directions(_DIRECTIONS), facets, _mirrored(facets, normal)])
-    support = corners[np.argmax(ways @ corners.T, axis=1)]
-    mirrored_support = _mirrored(
-        corners[np.argmax(_mirrored(ways, normal) @ corners.T, axis=1)], normal
-    )
-    points = (support + mirrored_support) / 2
-    # the distance of convex bodies is the largest difference of their support functions
-    moved = float(np.max(abs(np.sum((support - points) * ways, axis=1))))
-    both = np.concatenate([points, _mirrored(points, normal)])
-    return trimesh.convex.convex_hull(both), moved
+    scan.apply_translation(-scan.bounds.mean(axis=0))
+    step = (float(np.prod(scan.extents)) / _GRID_POINTS) ** (1 / 3)
+    points, count = grid_points(scan.extents / 2, step)
+    distance = measured_where_near(scan, points, count, step, mirrored=False)
+    between = trimesh.sample.sample_surface(scan, _SAMPLES, seed=0)[0]
+    places = (np.concatenate([scan.vertices, between]) - points[0]).T / step
+    for axis in range(3):
+        across = np.moveaxis(distance, axis, 0)
+        middle = len(across) // 2  # of an odd number of points: it lies in the plane
+        outward = (across[middle:] + across[middle::-1]) / 2
+        outward = np.minimum.accumulate(outward[::-1])[::-1]
+        even = np.moveaxis(np.concatenate([outward[:0:-1], outward]), 0, axis)
+        even = gaussian_filter(even, _SMOOTHED_STEPS, mode="nearest")  # lines stay in one piece
+        standing_out = float(map_coordinates(even, places, order=1).max())
+        changed = float(np.sum((even < 0) != (distance < 0))) * step**3
+        surface = simplified(contour_of(even, points[0], step), _SIMPLIFIED_MM)
+        if surface.convex_hull.volume < _NEARLY_CONVEX * surface.volume:
+            surface = surface.convex_hull  # air rises to one place of it
+        samples = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)[0]
+        off_mm = distance_mm(scan, np.asarray(samples))
+        surface.apply_transform(_axes_to_y_and_z(axis, scan.extents))
+        surface.apply_translation(-surface.bounds.mean(axis=0))
+        yield CastableBody(surface, off_mm, max(standing_out, 0.0), changed)
 
 
-def _mirrored(
-    vectors: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "3"]
-) -> Float[np.ndarray, "n 3"]:
-    return vectors - 2 * np.outer(vectors @ normal, normal)
-
-
-def even_directions(count: int) -> Float[np.ndarray, "way 3"]:
-    """Return unit vectors along a spiral."""
-    steps = np.arange(count) + 0.5
-    z, turn = 1 - 2 * steps / count, np.pi * (1 + np.sqrt(5)) * steps
-    level = np.sqrt(1 - z**2)
-    return np.column_stack([level * np.cos(turn), level * np.sin(turn), z])
-
-
-def _axes_to_y_and_z(mirrored: int, longest: int) -> Float[np.ndarray, "4 4"]:
-    """Return the turn that takes one axis to y and another to z."""
+def _axes_to_y_and_z(mirrored: int, extents_mm: Float[np.ndarray, "3"]) -> Float[np.ndarray, "4 4"]:
+    """Return the turn that takes an axis to y, and the longer of the others to z."""
+    across, longest = sorted({0, 1, 2} - {mirrored}, key=lambda axis: extents_mm[axis])
     turn = np.zeros((4, 4))
-    turn[[0, 1, 2, 3], [3 - mirrored - longest, mirrored, longest, 3]] = 1.0
+    turn[[0, 1, 2, 3], [across, mirrored, longest, 3]] = 1.0
     # a turn, not a mirror image: its determinant is 1
     turn[0] *= np.linalg.det(turn)
     return turn

@@ -23,6 +23,8 @@ _PIERCED_MM = 0.1
 _WELD_MM = 1e-3
 """Corners that are closer are one where a surface does not close: less than any printer or mould shows,
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
+_WIDEST_HOLE = 0.5
+"""Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
 
@@ -71,7 +73,7 @@ def _surface_in(path: Path, scale: float) -> trimesh.Trimesh:
 @lru_cache(maxsize=4)
 def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
-    surface = _read_unchanged(path)
+    surface = _read_unchanged(path, digest).copy()
     surface.apply_scale(scale)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
@@ -79,10 +81,16 @@ def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     return surface
 
 
-def _read_unchanged(path: Path) -> trimesh.Trimesh:
+@lru_cache(maxsize=4)
+def _read_unchanged(path: Path, digest: str) -> trimesh.Trimesh:
+    """The file's triangles as they stand there, for all scales."""
     import trimesh
 
     surface = read_foreign_surface(path, _missing(path))
+    if not np.isfinite(surface.vertices_mm).all():
+        raise InputError(
+            f"the surface in {path} is open: it has corners that are no numbers. Export it anew"
+        )
     return trimesh.Trimesh(surface.vertices_mm, surface.triangles)
 
 
@@ -103,7 +111,9 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     if not surface.is_watertight:
         faces_before, unfilled = len(surface.faces), surface.copy()
         trimesh.repair.fill_holes(surface)
-        done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
+        if len(surface.faces) > faces_before:
+            done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
+        done += [] if surface.is_watertight else _cover_holes(surface)
         _require_closed(surface, path)
         # each triangle of a soup gets one more on its back, and both enclose nothing
         if not _solid_pieces(surface):
@@ -151,21 +161,41 @@ def _weld(surface: trimesh.Trimesh) -> list[str]:
     return [f"welded {len(corners) - len(first)} corners within {_WELD_MM:g} mm of others"]
 
 
+def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
+    """Close holes up to `_WIDEST_HOLE` wide by triangles to their middles, in place; return in words how wide
+    the widest was."""
+    import trimesh
+
+    _, first, count = np.unique(surface.edges_sorted, axis=0, return_index=True, return_counts=True)
+    edges = surface.edges[first[count == 1]]
+    corners, widths = np.asarray(surface.vertices), list[float]()
+    faces, middles = [np.asarray(surface.faces)], [corners]
+    loops = trimesh.graph.connected_component_labels(edges, len(corners))[edges[:, 0]]
+    for loop in np.unique(loops):
+        rim = edges[loops == loop]
+        widths.append(float(np.ptp(corners[rim[:, 0]], axis=0).max()))
+        middle = np.full(len(rim), len(corners) + len(widths) - 1)
+        faces.append(np.column_stack([rim[:, ::-1], middle]))
+        middles.append(corners[rim[:, 0]].mean(axis=0, keepdims=True))
+    if max(widths, default=np.inf) > _WIDEST_HOLE * min(surface.extents):
+        return []
+    surface.vertices, surface.faces = np.concatenate(middles), np.concatenate(faces)
+    return [f"covered {len(widths)} holes, up to {max(widths):.2g} mm wide"]
+
+
 def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     """A closed surface without triangles of no height, which have no normal, and closed again.
 
     Such a triangle closes the side of a wide one at a corner in its middle: left out, it leaves a slit.
     """
-    import trimesh
-
     if surface.nondegenerate_faces().all():
         return surface
-    from design.body.meshes import manifold_of
+    from design.body.meshes import simplified
 
-    closed = manifold_of(surface).simplify(_WELD_MM).to_mesh64()
-    if not len(closed.tri_verts):  # no surface that Manifold takes; told where it crosses itself
-        return surface
-    return trimesh.Trimesh(closed.vert_properties[:, :3], closed.tri_verts.astype(np.int64))
+    closed = simplified(surface, _WELD_MM)
+    return (
+        closed if len(closed.faces) else surface
+    )  # which Manifold does not take: it crosses itself
 
 
 def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:

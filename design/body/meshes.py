@@ -181,7 +181,9 @@ def undercut(
         depth = least_width_mm(points, pull)
         if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
             whole = float(np.ptp(points @ pull)) * lean
-            depth = min(depth, whole, _deepest_strip_mm(mesh, np.array(patch), pull))
+            depth = min(depth, whole)
+            if depth > deepest:  # strips can only make it less
+                depth = min(depth, _deepest_strip_mm(mesh, np.array(patch), pull))
         if depth > deepest:
             deepest, place = depth, points.mean(axis=0)
     return Undercut(float(mesh.area_faces[against].sum()), deepest, place)
@@ -327,6 +329,14 @@ def _thickness_mm(
     hits, met = first_hits_mm(mesh, starts, ends)
     apart = np.sum(np.asarray(mesh.face_normals)[met] * normals, axis=1) <= _FACING
     return np.where(apart, np.linalg.norm(hits - points_mm, axis=1), np.nan)
+
+
+def simplified(surface: trimesh.Trimesh, within_mm: float) -> trimesh.Trimesh:
+    """Return a closed surface by fewer and better triangles, within a distance of it."""
+    import trimesh
+
+    simple = manifold_of(surface).simplify(within_mm).to_mesh64()
+    return trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
 
 
 def first_hits_mm(

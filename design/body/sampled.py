@@ -8,7 +8,7 @@ interpolated by cubic splines; the core is found by marching cubes on a finer on
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import factorial
 from typing import TYPE_CHECKING, Any
@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
+from design.body.meshes import simplified
 from design.body.surface_chart import STEEPEST, STEEPEST_TOUCHED, FaceFrame, face_axes
 from design.errors import InputError
 
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from design.body.kinds.base import BodyKind
 
 _GRID_POINTS = 45_000
+_ALIKE_MM = 60.0
+"""Longest edge at which distances to a file's body are measured."""
 _MARGIN_STEPS = 3
 _COARSE, _EXACT_STEPS = 3, 3
 """Outside a body, distances are exact within this number of steps; beyond, from a grid this many times
@@ -160,17 +163,29 @@ class DistanceField:
         return map_coordinates(self.coefficients, places, order=3, mode="nearest", prefilter=False)
 
 
-@lru_cache(maxsize=16)
 def distance_field(body: BodyKind) -> DistanceField:
+    """Return the field of a body; of a file's bodies of all scales they are one, made larger or smaller."""
+    if not body.from_file:
+        return _distance_field(body)
+    size = max(body.size_mm) / _ALIKE_MM
+    scale = float(f"{body.scale / size:.9g}")
+    field = _distance_field(
+        replace(body, scale=scale, size_mm=tuple(round(edge / size, 6) for edge in body.size_mm))
+    )
+    return DistanceField(size * field.origin_mm, size * field.step_mm, size * field.coefficients)
+
+
+@lru_cache(maxsize=16)
+def _distance_field(body: BodyKind) -> DistanceField:
     from scipy.ndimage import spline_filter
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
     points, count = grid_points(np.asarray(body.size_mm) / 2, step)
-    distance = _measured_where_near(body.outer_surface(), points, count, step, body.mirrored)
+    distance = measured_where_near(body.outer_surface(), points, count, step, body.mirrored)
     return DistanceField(points[0], step, spline_filter(distance, order=3, mode="nearest"))
 
 
-def _measured_where_near(
+def measured_where_near(
     surface: trimesh.Trimesh,
     points_mm: np.ndarray,
     count: tuple[int, ...],
@@ -228,43 +243,41 @@ def grid_points(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[
 
 @lru_cache(maxsize=16)
 def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
-    import pyvista
-    import trimesh
-
     half = np.asarray(body.size_mm) / 2 - thickness_mm
     if half.min() <= 0:
         raise InputError(_no_core(body, thickness_mm))
     step = max(min(_FINE_STEP_MM, float(half.min()) / 8), float(half.max()) / _MOST_STEPS)
     points, count = grid_points(half, step)
-    grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
     distance = distance_field(body).evaluate(points).reshape(count)
-    grid["distance"] = distance.ravel(order="F")
-    core_surface: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
-    if not core_surface.n_points:
+    surface = contour_of(distance + thickness_mm, points[0], step)
+    if not len(surface.faces):
         raise InputError(_no_core(body, thickness_mm))
-    core_surface = core_surface.triangulate().clean()
-    surface = trimesh.Trimesh(core_surface.points, core_surface.faces.reshape(-1, 4)[:, 1:])
-    surface.fix_normals()
     pieces = [piece for piece in surface.split(only_watertight=True) if abs(piece.volume) > 1]
     if len(pieces) != 1:
         raise InputError(
             f"walls of shell.thickness_mm = {thickness_mm:g} leave {len(pieces)} pieces of core in this "
             "body. Make the shell thinner or the body larger"
         )
-    return _without_slivers(pieces[0])
+    return simplified(pieces[0], _SLIVERS_MM)
 
 
-def _without_slivers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The same surface within 0.01 mm, by fewer and better triangles."""
-    import manifold3d
+def contour_of(
+    distance_mm: Float[np.ndarray, "x y z"], origin_mm: Float[np.ndarray, "3"], step_mm: float
+) -> trimesh.Trimesh:
+    """Return the surface on which distances at the points of a grid are 0, turned outwards."""
+    import pyvista
     import trimesh
 
-    mesh = manifold3d.Mesh64(
-        vert_properties=np.asarray(surface.vertices, np.float64),
-        tri_verts=np.asarray(surface.faces, np.uint64),
-    )
-    simple = manifold3d.Manifold(mesh).simplify(_SLIVERS_MM).to_mesh64()
-    return trimesh.Trimesh(simple.vert_properties[:, :3], simple.tri_verts.astype(np.int64))
+    spacing = (step_mm,) * 3
+    grid = pyvista.ImageData(dimensions=distance_mm.shape, spacing=spacing, origin=tuple(origin_mm))
+    grid["distance"] = distance_mm.ravel(order="F")
+    contour: Any = grid.contour([0.0], scalars="distance", method="flying_edges")
+    if not contour.n_points:
+        return trimesh.Trimesh()
+    contour = contour.triangulate().clean()
+    surface = trimesh.Trimesh(contour.points, contour.faces.reshape(-1, 4)[:, 1:])
+    surface.fix_normals()
+    return surface
 
 
 def _no_core(body: BodyKind, thickness_mm: float) -> str:

@@ -45,6 +45,8 @@ _LEAST_TRAP_MM = 0.1
 """Bubbles less high than this are left: triangles of curved surfaces make dents of a third of it."""
 _SHIFTS_MM, _WAYS = (0.5, 1.0, 1.5, 2.0), 12
 """From a high point to where a vent stands as well, and directions of these."""
+_LEANS = (0.5, 1.0)
+"""Steps aside for one upwards, of vents that lean."""
 _ROUND = 24
 """Number of places along the rim of a bore."""
 _LOWER_MM = 0.5 * _LEAST_TRAP_MM
@@ -145,22 +147,23 @@ def _ways_out(
     spec: ObjectSpec, solid: Manifold, trap: Trap
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield where a vent may begin, and in which direction: from the high point, then next to it straight
-    up, or elsewhere on the level rim round a bore."""
+    up, or elsewhere on the level rim round a bore; at last from the high point, leaning any way."""
     above = up(spec)
     yield from ((trap.place_mm, above + outward * trap.normal) for outward in (0.0, 0.5, 1.0, 2.0))
     side = np.cross(above, np.eye(3)[int(abs(above).argmin())])
     side /= np.linalg.norm(side)
+    turns = 2 * np.pi * np.arange(_WAYS)[:, None] / _WAYS
+    round_about = np.cos(turns) * side + np.sin(turns) * np.cross(above, side)
     for shift in _SHIFTS_MM:
-        for turn in 2 * np.pi * np.arange(_WAYS) / _WAYS:
-            place = trap.place_mm + shift * (
-                np.cos(turn) * side + np.sin(turn) * np.cross(above, side)
-            )
+        for aside in round_about:
+            place = trap.place_mm + shift * aside
             ends = tuple(place + above), tuple(place - _LOWER_MM * above)
             hits = solid.ray_cast(*ends)
             if hits:
                 yield np.asarray(hits[0].position), above
     if mould_frame(spec).opening == "bore":
         yield from ((place, above) for place in _round_the_rod(solid, trap.place_mm, above))
+    yield from ((trap.place_mm, above + lean * aside) for lean in _LEANS for aside in round_about)
 
 
 def _round_the_rod(

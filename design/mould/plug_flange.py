@@ -21,7 +21,7 @@ from design.layout.mould.closure import (
     flange_span_mm,
 )
 from design.layout.mould.frame import MouldFrame, mould_frame, mould_style
-from design.solids.booleans import common
+from design.solids.booleans import Shape, common, cut
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
@@ -32,7 +32,7 @@ BLOCK_MM = 10.0
 CHAMFER_MM = 3.0
 
 
-def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
+def flange_solids(spec: ObjectSpec) -> list[Shape]:
     """Bridge, blocks with their clips, and grip, in the object's frame (mm)."""
     frame, play = mould_frame(spec), spec.printer.clearance_mm
     left, right = flange_span_mm(spec)
@@ -40,7 +40,7 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     (start, end), inner = clip_mm(spec), grip_half_mm(frame)
     bridge = wall - spec.mould.wall_mm - play
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
-    solids: list[cq.Shape] = [
+    solids: list[Shape] = [
         _box(frame, (left, right), (-bridge, bridge), (rim, seat)),
         grip_solid(frame, (left, right), inner, (seat, top)),
     ]
@@ -86,7 +86,7 @@ def grip_solid(
     across_mm: tuple[float, float],
     inner_mm: float,
     levels_mm: tuple[float, float],
-) -> cq.Shape:
+) -> Shape:
     """The gable with its chamfers: a box, cut by a prism over each slope."""
     left, right = across_mm
     middle, (seat, top) = (left + right) / 2, levels_mm
@@ -102,7 +102,7 @@ def grip_solid(
             frame.axes @ np.array(p) for p in ((edge, 0.0, seat), (middle, 0.0, seat + rise))
         )
         cutters.append(common(prism_over_slope(frame, foot, ridge, inner_mm), room))
-    return whole.cut(*cutters)
+    return cut(whole, *cutters)
 
 
 def prism_over_slope(

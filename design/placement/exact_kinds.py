@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
+from design.body.castable import without_noise
 from design.body.imported import read_surface
 from design.body.kinds.registry import KINDS
 from design.body.meshes import distance_mm
@@ -23,6 +24,8 @@ TOLERANCE_MM = 0.3
 print."""
 _ENVELOPE_MM = 0.03
 """Distance by which triangles of an exact kind may leave it: a tenth of the tolerance."""
+_CONVEX = 0.99
+"""Share of its convex hull that a body fills which has no hollows."""
 _DECIMALS = 1
 """Decimals of the sizes in mm."""
 _SAMPLES, _FEW = 2000, 200
@@ -67,15 +70,20 @@ def exact_kind(surface: trimesh.Trimesh) -> ExactKind | None:
 
 
 def exact_kind_in_words(request: Request) -> str:
-    """Return which options take the exact kind in place of the request's file; empty where none does."""
+    """Return which options take the exact kind in place of the request's file, whose hollows are filled;
+    empty where none does."""
     file = dict(request.file)
-    exact = exact_kind(read_surface(file["file"], file["scale"]))
+    surface, _ = without_noise(read_surface(file["file"], file["scale"]))
+    exact = exact_kind(surface.convex_hull)
     if exact is None:
         return ""
+    hollow = "with its hollows filled " * bool(
+        surface.volume < _CONVEX * surface.convex_hull.volume
+    )
     size = " ".join(f"{edge:g}" for edge in exact.size_mm)
     return (
-        f"this body is a {exact.kind} within {max(exact.off_mm, 0.01):.2f} mm: `--kind {exact.kind} --size "
-        f"{size}` instead of --from takes the exact kind"
+        f"{hollow}this body is a {exact.kind} within {max(exact.off_mm, 0.01):.2f} mm: `--kind "
+        f"{exact.kind} --size {size}` instead of --from takes the exact kind"
     )
 
 

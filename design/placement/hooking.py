@@ -14,15 +14,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float
 
-from design.body.castable import castable_body, even_directions, without_noise
+from design.body.castable import castable_body, what_scans_have
 from design.body.imported import body_of_file, read_surface
-from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
+from design.body.sampled import measured_distance_mm
 from design.errors import SpecError
 from design.files import atomic_path
-from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_along_mm, undercut_depth_mm
+from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_depth_mm
 from design.placement.objects import (
     SHELL_VARIANTS,
     Request,
@@ -38,17 +37,19 @@ if TYPE_CHECKING:
 _AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
 _MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
 """Number of best seams of a file's body round which finer ones are tried, and steps of these."""
-_WAYS, _NEARER_DEG = 60, (8.0, 4.0)
-"""Ways along which halves may be drawn, that are looked at where no seam about z frees the body."""
 _LOOKED_AT_MM = 60.0
 """Longest edge of a body whose hooks are measured; they grow as it does."""
+_NOTHING_MM = 0.03
+"""Hook of a body 60 mm long under which every shell gives way."""
 _SPARE, _EXACT_MM = 1.1, 1e-6
 """Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
-_MOST_OFF = 0.15
-"""Distance of a body without hollows to its scan, as a share of its shortest edge: beyond, it is another
-body."""
+_MOST_OFF, _MOST_FILLED = 0.15, 0.15
+"""Distance of a castable body to its scan, as a share of its shortest edge, and share of its surface that may
+lie farther off, over hollows that are filled: beyond, it is another body."""
+_LEAST_DEEP = 0.25
+"""Depth of the middle of a body's box below its surface, as a share of its shortest edge, at least."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
 
 
@@ -70,34 +71,11 @@ def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
     return coarse | depths(azimuth + shift for azimuth in least for shift in _FINER_DEG)
 
 
-def way_that_hooks_least(body: BodyKind) -> tuple[float, Float[np.ndarray, "3"]]:
-    """Least depth to which halves hook a body, drawn along the best of all ways, and that unit vector: of
-    ways about 18° apart first, then nearer ones next to the best of them."""
-
-    def least(ways: Iterable[Float[np.ndarray, "3"]]) -> list[tuple[float, Float[np.ndarray, "3"]]]:
-        hooked = [(undercut_along_mm(body, way), way) for way in ways]
-        return sorted(hooked, key=lambda depth_and_way: depth_and_way[0])[:_MOST_REFINED]
-
-    best = least(even_directions(2 * _WAYS)[:_WAYS])
-    for apart in _NEARER_DEG:
-        best = least(near for _, way in best for near in (way, *_ways_beside(way, apart)))
-    return best[0]
-
-
-def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Float[np.ndarray, "3"]]:
-    side = np.cross(way, np.eye(3)[int(abs(way).argmin())])
-    side /= np.linalg.norm(side)
-    lean = np.tan(np.deg2rad(apart_deg))
-    for turn in np.deg2rad(np.arange(0.0, 360.0, 60.0)):
-        near = way + lean * (np.cos(turn) * side + np.sin(turn) * np.cross(way, side))
-        yield near / np.linalg.norm(near)
-
-
 def castable_request(request: Request, target: Path) -> tuple[Request, str]:
-    """Return the request for the scan made castable, written to `target`, and what was done in words.
+    """Return the request for the scan's `castable_body`, written to `target`, and what was done in words.
 
-    Its noise is smoothed (`without_noise`); then it becomes its `castable_body` where silicone does not give
-    way by what the best seam about z hooks. The request itself and "" where neither is needed.
+    The request itself and "" of a file that is neither noisy nor askew, where silicone gives way by what the
+    best seam about z hooks.
 
     Raises
     ------
@@ -107,34 +85,38 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
     if not KINDS[request.kind].from_file:
         return request, ""
     file = dict(request.file)
-    smooth, moved_mm = without_noise(read_surface(file["file"], file["scale"]))
-    noisy = ""
-    if moved_mm:
-        noisy = f"the scan is noisy, and smoothing moves its corners by up to {moved_mm:.2g} mm"
-        request = _request_of(request, smooth, target)
-    needed_mm = _needed_mm(request)
-    if needed_mm <= _THICKEST_MM:
-        return request, noisy and f"{noisy}: {target} is designed instead"
-    castable = castable_body(smooth)
+    scan = read_surface(file["file"], file["scale"])
+    why = what_scans_have(scan)
+    if not why:
+        needed_mm = _needed_mm(request)
+        if needed_mm <= _THICKEST_MM:
+            return request, ""
+        hooked, gives = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, _THICKEST_MM))
+        why = f"halves of a mould hook this body by {hooked:.2g} mm; silicone gives way by {gives:.2g}"
+    castable = castable_body(scan)
     x, y, z = castable.surface.extents
-    farthest_mm, median_mm = castable.off_mm
-    hooked = (noisy and f"{noisy}; ") + (
-        f"halves of a mould would hook this body by {needed_mm * COMPLIANCE_FRACTION / _SPARE:.2g} mm, and "
-        f"{_THICKEST_MM:g} mm of silicone give way by {_THICKEST_MM * COMPLIANCE_FRACTION:.2g} mm"
-    )
-    if farthest_mm > _MOST_OFF * min(x, y, z):
-        target.unlink(missing_ok=True)
+    most_mm, off_mm, out_mm = _MOST_OFF * min(x, y, z), castable.off_mm, castable.evened_mm
+    filled = float(np.mean(off_mm > most_mm))
+    if out_mm > most_mm or filled > _MOST_FILLED:
         raise SpecError(
-            f"{hooked}. With its hollows filled it would be another body, up to {farthest_mm:.2g} mm off the "
-            "scan. Moulds of more than two halves are not made. Take a simple body of that size, as "
-            f"--kind ellipsoid --size {x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made "
-            "the file"
+            f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
+            f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
+            "Moulds of more than two halves are not made. Take a simple body, as --kind ellipsoid --size "
+            f"{x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made the file"
+        )
+    deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
+    if deep_mm < _LEAST_DEEP * min(x, y, z):
+        side = "below" if deep_mm > 0 else "outside"
+        raise SpecError(
+            f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
+            "thin bodies: there the core is held, and its wires leave. Take a "
+            f"straight body, as --kind capsule --size {min(x, y):.4g} {min(x, y):.4g} {z:.4g}"
         )
     text = (
-        f"{hooked}: {target} is designed instead, a body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
-        f"whose sides are mirror images. With its hollows filled it is up to {farthest_mm:.2g} mm off the "
-        f"{'smoothed ' if noisy else ''}scan, half of it within {median_mm:.2g} mm; then its sides were "
-        f"moved by up to {castable.evened_mm:.2g} mm"
+        f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
+        f"whose sides are mirror images. Half of it lies within {np.median(off_mm):.2g} mm of the scan, 95 % "
+        f"within {np.percentile(off_mm, 95):.2g} mm, all within {off_mm.max():.2g} mm, over hollows that are "
+        f"filled; the scan stands out of it by up to {out_mm:.2g} mm"
     )
     return _request_of(request, castable.surface, target), text
 
@@ -197,5 +179,8 @@ def _needed_mm(request: Request) -> float:
 
 @lru_cache(maxsize=16)
 def least_hooked_mm(request: Request) -> float:
-    """Return how deep halves hook the body at the best azimuth."""
-    return min(hooked_by_azimuth_mm(bare_tables(request, SHELL_VARIANTS[-1])).values())
+    """Return how deep halves hook the body at the best azimuth; the seam in y = 0, where castable bodies
+    have it, is taken if it hooks next to nothing."""
+    tables = bare_tables(request, SHELL_VARIANTS[-1])
+    across_y = undercut_depth_mm(spec_of(turned(tables, 90.0)))
+    return across_y if across_y <= _NOTHING_MM else min(hooked_by_azimuth_mm(tables).values())

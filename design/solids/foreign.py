@@ -28,7 +28,7 @@ _NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int64)
 def solid_of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
     import trimesh
 
-    surface = trimesh.load_mesh(path)
+    surface = trimesh.load_mesh(path, process=False)
     if not isinstance(surface, trimesh.Trimesh):
         return _NOTHING
     return np.asarray(surface.vertices), np.asarray(surface.faces)

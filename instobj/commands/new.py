@@ -37,7 +37,6 @@ from design.placement.hooking import (
     castable_request,
     hooked_by_azimuth_mm,
     turned,
-    way_that_hooks_least,
 )
 from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
@@ -99,12 +98,13 @@ def new_specification(
             raise InputError(f"{path} is already there. Choose another name, or move it away")
     require_writable(out)  # before parts are placed, which takes long
     tables: Tables | None = None
-    if request is not None and request.file:
-        request, changed = castable_request(request, castable)
-        for text in filter(None, (changed, exact_kind_in_words(request))):
-            warnings.warn(text, stacklevel=2)
     if request is not None:
         try:
+            if request.file:
+                exact = exact_kind_in_words(request)
+                request, changed = castable_request(request, castable)
+                for text in filter(None, (changed, exact)):
+                    warnings.warn(text, stacklevel=2)
             tables, failed = (design or designed)(request)
         except BaseException:
             if request.file:
@@ -330,33 +330,7 @@ def told_unmade(failed: list[Finding], tables: Tables) -> str:
     text = "check --fabrication fails on this body, in whatever of the ways of placing that help:"
     if all(map(_thin_mould, failed)):
         return f"{text}{lines}{_why_seams_do_not_help(tables)}"
-    hooked = any(finding.check == "undercut" for finding in failed)
-    return f"{text}{lines}{_least_hooked_seam(tables) if hooked else ''}"
-
-
-def _least_hooked_seam(tables: Tables) -> str:
-    """Return which seam hooks a file's body least, and along which way halves would; empty of other kinds."""
-    if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
-        return ""
-    spec = spec_of(tables)
-    room = COMPLIANCE_FRACTION * spec.shell.thickness_mm
-    depth, azimuth = min(
-        (depth, azimuth) for azimuth, depth in hooked_by_azimuth_mm(tables).items()
-    )
-    deep, way = way_that_hooks_least(body_of(spec))
-    drawn = (
-        f"drawn along ({', '.join(f'{x:.2f}' for x in way)}) they would hook it by {deep:.2g} mm"
-    )
-    if deep > room:
-        advice = (
-            f"{drawn}, and along no way by less: a mould of two halves does not suit this shape"
-        )
-    else:
-        advice = f"{drawn}: turn the body in its file so that this way lies level"
-    return (
-        f"\nOf all seams about z that with mould.parting_azimuth_deg = {azimuth % 180:g} hooks it least, by "
-        f"about {depth:.2g} mm of {room:.2g} that give way; {advice}"
-    )
+    return f"{text}{lines}"
 
 
 def _why_seams_do_not_help(tables: Tables) -> str:

@@ -201,13 +201,6 @@ def undercut_depth_mm(spec: ObjectSpec) -> float:
     return _hooked_mm(body_of(spec).outside, tuple(plane.normal.tolist()), plane.offset_mm)
 
 
-def undercut_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
-    """Return the same for halves drawn along any unit vector, parted across it where least is hooked."""
-    outside = body.outside
-    offset = least_undercut(_outside_in_small_triangles(outside), normal)[1]
-    return _hooked_mm(outside, tuple(normal.tolist()), offset)
-
-
 @lru_cache(maxsize=512)
 def _hooked_mm(body: BodyKind, normal: tuple[float, ...], offset_mm: float) -> float:
     """Return the greater depth of the two halves' undercuts; cached, as many shells share a seam."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from design.body.castable import castable_body, even_directions, noise_mm, without_noise
+from design.body.castable import castable_body, noise_mm, what_scans_have, without_noise
 from design.body.imported import read_surface
 from design.body.meshes import boolean_of, distance_mm
 
@@ -34,56 +34,78 @@ def lump(seed):
     return turned_askew(hull)
 
 
+def arc():
+    """A sausage of 16 mm, bent by 115° round a radius of 60 mm."""
+    turns = np.linspace(-1.0, 1.0, 25)
+    path = 60 * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(25)])
+    balls = [trimesh.creation.icosphere(3, 16) for _ in path]
+    for ball, place in zip(balls, path, strict=True):
+        ball.apply_translation(place)
+    return turned_askew(boolean_of("union", balls))
+
+
+def cup():
+    """A cup 60 × 60 × 60 mm with a handle that stands out by 20 mm, walls of 4 mm."""
+    outside, inside = (trimesh.creation.cylinder(r, 60, sections=96) for r in (30, 26))
+    inside.apply_translation([0, 0, 4])
+    handle = trimesh.creation.torus(18, 5, 64, 32)
+    handle.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [1, 0, 0]))
+    handle.apply_translation([27, 0, 0])
+    return turned_askew(boolean_of("difference", [boolean_of("union", [outside, handle]), inside]))
+
+
 def test_a_can_with_deep_lids_gets_flat_ones():
     body = castable_body(recessed_can())
-    assert body.surface.extents == pytest.approx([60, 60, 90], abs=0.1)
-    assert body.off_mm[0] == pytest.approx(5, abs=0.1)
-    assert body.off_mm[1] < 0.05
-    assert body.evened_mm < 0.1
+    assert body.surface.extents == pytest.approx([60, 60, 90], abs=0.3)
+    assert body.off_mm.max() == pytest.approx(5, abs=0.2)
+    assert np.median(body.off_mm) < 0.05
+    assert body.evened_mm < 1, "of its sharp edges"
     assert body.surface.volume == pytest.approx(np.pi * 30**2 * 90, rel=5e-3)
 
 
-@pytest.mark.parametrize("scan", [recessed_can, *(partial(lump, seed) for seed in range(4))])
+def test_a_bent_body_stays_bent():
+    scan = arc()
+    body = castable_body(scan)
+    assert body.off_mm.max() < 0.5
+    assert body.evened_mm < 0.5
+    assert body.surface.volume == pytest.approx(scan.volume, rel=0.01)
+    # across the arc, and from end to end, as the balls' places give them
+    longest = 2 * (60 * np.sin(1.0) + 16)
+    assert body.surface.extents[1:] == pytest.approx([32, longest], abs=0.3)
+
+
+def test_a_cup_is_filled_and_keeps_its_handle():
+    """The hollow has π 26² 56 mm³; the seam runs along the handle."""
+    scan = cup()
+    body = castable_body(scan)
+    assert body.changed_mm3 == pytest.approx(np.pi * 26**2 * 56, rel=0.06)
+    assert body.surface.volume == pytest.approx(scan.volume + np.pi * 26**2 * 56, rel=0.02)
+    assert body.evened_mm < 1.5
+    assert not body.surface.is_convex
+
+
+@pytest.mark.parametrize("scan", [recessed_can, arc, cup, *(partial(lump, seed) for seed in range(2))])
 def test_halves_part_at_the_seam_without_hooking(scan):
-    """Facets of a half face away from the seam or along it; the convex hull alone of a lump does not."""
+    """Lines along the pull go through the body once; the halves are mirror images."""
     surface = castable_body(scan()).surface
     assert surface.is_watertight
-    assert surface.is_convex
-    side, lean = surface.triangles_center[:, 1], surface.face_normals[:, 1]
-    across = abs(surface.triangles[:, :, 1]).max(axis=1) > 1e-6
-    assert (lean * np.sign(side))[across & (abs(side) > 1e-6)].min() > -1e-6
+    assert surface.body_count == 1
+    x, z = np.random.default_rng(0).uniform(-0.5, 0.5, (2, 400))
+    starts = np.column_stack([x, np.full(400, -1.0), z]) * surface.extents
+    hits = surface.ray.intersects_location(starts, np.tile([0.0, 1.0, 0.0], (400, 1)))[1]
+    assert np.isin(np.bincount(hits, minlength=400), [0, 2]).mean() > 0.99, "few graze a facet"
     mirrored = surface.vertices * [1, -1, 1]
-    assert abs(trimesh.proximity.signed_distance(surface, mirrored)).max() < 0.02
-    assert np.argmax(surface.extents) == 2
+    assert distance_mm(surface, mirrored).max() < 0.1
+    assert surface.extents[2] >= surface.extents[0]
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_an_even_lump_is_as_wide_in_the_mean_and_no_smaller(seed):
-    """Theorems of Minkowski's mean: mean widths add up, volumes are larger (Brunn-Minkowski)."""
-    scan = lump(seed)
-    ways = even_directions(4000)
-    body = castable_body(scan).surface
-    width, width_before = (np.ptp(mesh.vertices @ ways.T, axis=0).mean() for mesh in (body, scan))
-    assert width == pytest.approx(width_before, rel=2e-3)
-    assert body.volume > 0.999 * scan.volume
-
-
-@pytest.mark.parametrize("top_mm", [3.0, 4.0, 4.5])
-def test_a_brick_with_a_flat_roof_on_two_sides_is_moved_by_half_of_the_lower_one(top_mm):
-    """Its middle plane lies half of the height h outside the brick's. Where the corner, 40 mm from
-    the roof's top along z, supports the body, its mirror image differs by h/2 cos(atan(h / 40))."""
-    corners = np.array([[x, y, z] for x in (-18, 18) for y in (-20, 20) for z in (-40, 40)])
-    roofs = [[18 + top_mm, 0, 0], [0, 25, 0]]
-    body = castable_body(trimesh.convex.convex_hull(np.concatenate([corners, roofs])))
-    assert sorted(body.surface.extents) == pytest.approx([36 + top_mm, 45, 80])
-    assert body.evened_mm == pytest.approx(top_mm / 2 * np.cos(np.arctan(top_mm / 40)), abs=0.02)
-
-
-def test_directions_are_even():
-    """The mean of w wᵀ over a sphere is a third of the unit matrix."""
-    ways = even_directions(500)
-    assert np.linalg.norm(ways, axis=1) == pytest.approx(1)
-    assert ways.T @ ways / 500 == pytest.approx(np.eye(3) / 3, abs=2e-3)
+def test_a_scan_that_lies_askew_is_known():
+    straight = trimesh.creation.cylinder(20, 90, sections=96).subdivide_to_size(4.0)
+    assert len(straight.vertices) > 1000
+    assert what_scans_have(straight) == ""
+    assert "askew" in what_scans_have(turned_askew(straight.copy()))
+    drawn = turned_askew(trimesh.creation.cylinder(20, 90))
+    assert what_scans_have(drawn) == "", "a drawn one is as meant"
 
 
 PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"
