@@ -101,6 +101,8 @@ def new_specification(
     if request is not None:
         try:
             if request.file:
+                # asks for the file's unit first, if need be
+                BodySpec(kind=request.kind, size_mm=request.size_mm, **dict(request.file))
                 exact = exact_kind_in_words(request)
                 request, changed = castable_request(request, castable)
                 for text in filter(None, (changed, exact)):
