@@ -45,6 +45,9 @@ _SPARE, _EXACT_MM = 1.1, 1e-6
 """Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
+_THICK = 0.12
+"""Share of a body's shortest edge that a shell takes at most, besides sensors and core: in a pear 66 mm wide
+no shell of 10 mm was placed."""
 _MOST_OFF, _MOST_FILLED = 0.15, 0.15
 """Distance of a castable body to its scan, as a share of its shortest edge, and share of its surface that may
 lie farther off, over hollows that are filled: beyond, it is another body."""
@@ -88,10 +91,11 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
     scan = read_surface(file["file"], file["scale"])
     why = what_scans_have(scan)
     if not why:
-        needed_mm = _needed_mm(request)
-        if needed_mm <= _THICKEST_MM:
+        needed_mm, usual_mm = _needed_mm(request), SHELL_VARIANTS[0].thickness_mm
+        thickest_mm = float(np.clip(_THICK * min(request.size_mm), usual_mm, _THICKEST_MM))
+        if needed_mm <= thickest_mm:
             return request, ""
-        hooked, gives = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, _THICKEST_MM))
+        hooked, gives = (COMPLIANCE_FRACTION * d for d in (needed_mm / _SPARE, thickest_mm))
         why = f"halves of a mould hook this body by {hooked:.2g} mm; silicone gives way by {gives:.2g}"
     castable = castable_body(scan)
     x, y, z = castable.surface.extents
