@@ -119,9 +119,9 @@ def what_scans_have(surface: trimesh.Trimesh) -> str:
     if without_noise(surface)[1]:
         return f"this scan is noisy, by {noise_mm(surface):.2g} mm"
     _, tightest = trimesh.bounds.oriented_bounds(surface.convex_hull)
-    along = surface.vertices @ surface.principal_inertia_vectors.T
+    turned = surface.vertices @ surface.principal_inertia_vectors.T
     askew = np.prod(surface.extents) > _ASKEW * np.prod(tightest)
-    longer = np.ptp(along, axis=0).max() > _LONGER * max(surface.extents)
+    longer = np.ptp(turned, axis=0).max() > _LONGER * max(surface.extents)
     return "this scan lies askew" if askew or longer else ""
 
 
@@ -144,8 +144,8 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
     most = min(body.evened_mm for body in tried) + _AS_LITTLE_MM
     even = [body for body in tried if body.evened_mm <= most]
     # a seam along the longest edge has flat lids at its ends, where air would stay in hollow ones
-    along = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
-    return min(along or even, key=lambda body: body.changed_mm3)
+    lying = [body for body in even if body.surface.extents[1] < max(body.surface.extents)]
+    return min(lying or even, key=lambda body: body.changed_mm3)
 
 
 def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:

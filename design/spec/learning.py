@@ -137,7 +137,8 @@ class InversionSpec(SpecPart):
     Up to `contacts` at once anywhere on the sensed faces.
     `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
-    bear alike within 30 %; "flat" ones are rigid rectangles, such as fingers of a gripper, on flat faces.
+    bear alike within 30 %; "flat" ones are rigid rectangles, such as fingers of a gripper, on flat
+    faces (frames with a chip that lies, or a magnet near by, are read as free tips).
     `jaws`: two of them press two faces alike (within 30 %), with as many tips
     each. `model_error` is the error of the forward model relative to the signals; left out, it is what
     `[tolerances]` make of the design, or what a calibrated twin leaves over.

@@ -156,13 +156,16 @@ class Jaws:
             return None
         whole, borders = self._whole(group), self._whole_pose(group)
         pose, free, rounds = starts[group][0], np.ones_like(whole), _ROUNDS
+        # as many fits as edges and one more may be summed up
+        needed = enough = least - np.log(1 + _EDGES * len(group))
         peaks: list[_Peak] = []
         while True:
-            peaks.append(self._problem(observations, group, free).peak(pose, rounds, least))
+            peaks.append(self._problem(observations, group, free).peak(pose, rounds, needed))
             # edges that are let go explain no more than all of them
-            if peaks[0].most_evidence < least:
+            if peaks[0].most_evidence < enough:
                 return None
             best = max(peak.log_evidence for peak in peaks)
+            needed = best - _HOPELESS
             if np.array_equal(free, whole) or peaks[-1].log_evidence < best - _HOPELESS:
                 break
             pose, free, rounds = peaks[-1].pose.copy(), free.copy(), _ROUNDS_FROM_LAST
@@ -309,20 +312,17 @@ class _Problem:
         return high - low
 
     def peak(self, start: Float[np.ndarray, "k"], rounds: int, least: float = -np.inf) -> _Peak:
-        """Return the most probable jaws near a start; no peak where evidence cannot reach `least`."""
+        """Return the most probable jaws near a start; any where evidence cannot reach `least`."""
         pose, residual, slopes = self._descend(start, rounds, least)
         curvature, misfit = slopes @ slopes.T + self._prior, 0.5 * float(residual @ residual)
         inverse, free = np.linalg.inv(curvature), self.free
         count, volume = int(free.sum()), np.linalg.slogdet(curvature)[1]
-        # Laplace: (2π)^{k/2} e^{−misfit} / √det H over the volume of the even priors
-        evidence = 0.5 * (count * np.log(2 * np.pi) - volume) - misfit
-        evidence -= self._log_volume
+        evidence = self._laplace(count, float(volume) + 2 * self._log_volume, misfit)
         low, high = (end[free] for end in self.bounds)
         sigma, slope = np.sqrt(inverse.diagonal()), slopes @ residual
         evidence += log_mass_between(pose[free], low, high, sigma, slope).sum()
         covariance = np.zeros((len(pose), len(pose)))
         covariance[np.ix_(free, free)] = inverse
-        evidence += self.jaws.log_density(self.group)
         most = self._most_evidence(curvature, misfit)
         return _Peak(pose, free, float(evidence), most, misfit, covariance)
 
@@ -444,6 +444,8 @@ class _Problem:
             # the fall of the misfit; jaws only push
             fall = np.where(share[:, :3].sum(axis=1) > 0, (share * projected).sum(axis=1), -np.inf)
             chosen[face], best = int(fall.argmax()), float(fall.max())
+            if not np.isfinite(best):
+                return start, -np.inf
             volume = float(np.linalg.slogdet(square[chosen[face]])[1])
             # what the mean over all parts, alike likely, is under the best
             spread[jaw] = np.logaddexp.reduce(fall / 2) - best / 2 - np.log(len(fall))

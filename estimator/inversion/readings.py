@@ -37,7 +37,8 @@ class ContactSets(Columns):
         of the others and, from scratch, of the set
     tangential_n, tangential_sigma_n : (frame, contact, 2), along x and y of the face, and their
         standard deviations; NaN where contacts are taken for frictionless
-    odds : (frame,) posterior probability of as many contacts on each face, among all numbers found
+    odds : (frame,) posterior probability of as many contacts on each face, among all numbers found, and of
+        tips where jaws may have pressed; 1 of jaws
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
         explained by no contact that the model knows; 0 where a magnet near by is more probable
     chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
@@ -165,8 +166,8 @@ def jaw_set(fit: JawFit, tips: ContactSets) -> ContactSets:
     return jaws
 
 
-def doubted(tips: ContactSets, jaws: JawFit, share: float) -> ContactSets:
-    """Return a frame's tips, as uncertain as they are where jaws have a `share` of the probability.
+def doubted(tips: ContactSets, jaws: ContactSets, share: float) -> ContactSets:
+    """Return a frame's tips, as uncertain as they are where `jaws` have a `share` of the probability.
 
     The force of a jaw and its variance are shared out evenly among the tips of its face, so that their sum
     holds them; a tip where no jaw presses may bear nothing.
@@ -176,12 +177,11 @@ def doubted(tips: ContactSets, jaws: JawFit, share: float) -> ContactSets:
         alike = pressed == pressed[slot]
         tip = np.array([*tips.xy_mm[0, slot], tips.force_n[0, alike].sum()])
         away, spread = np.array([0.0, 0.0, tips.force_n[0, slot]]), np.zeros((3, 3))
-        if pressed[slot] in jaws.faces:
-            jaw = jaws.faces.index(pressed[slot])
+        for jaw in np.flatnonzero(jaws.face[0] == pressed[slot]):  # one at most
             # n variances of a share sum up to the whole: σ²/n each, of (J − T)²/n too
             scale = np.array([1.0, 1.0, alike.sum() ** -0.5])
-            away = scale * (jaws.values[jaw, :3] - tip)
-            spread = np.outer(scale, scale) * jaws.covariance[jaw, :3, :3]
+            away = scale * ([*jaws.xy_mm[0, jaw], jaws.force_n[0, jaw]] - tip)
+            spread = np.outer(scale, scale) * jaws.covariance[0, jaw]
         mixed = share * (spread + np.outer(away, away))
         covariance[0, slot] = (1 - share) * covariance[0, slot] + mixed
     return replace(tips, covariance=covariance, odds=tips.odds * (1 - share))

@@ -198,7 +198,7 @@ class Tracker:
         if not self.inversion.jaw_tables or not tips.number[0]:
             return tips
         evidence = float(self.inversion.search.judged(self._last).log_evidence[0])
-        if rival is None or changed:
+        if rival is None or changed or not tips.explained[0]:
             fit = self.inversion.rival_jaws(plain, tips, evidence)
         else:
             fit = self.inversion.jaws.refit(plain, rival)
@@ -207,7 +207,7 @@ class Tracker:
         sets = self.inversion.weighed(fit, tips, evidence)
         if sets.jaws[0]:
             self._jaws = fit, sets
-        else:
+        elif sets is not tips:
             self._rival = fit
         return sets
 

@@ -23,6 +23,8 @@ COMMANDS = {
     "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
+    "cycles": "instobj docs measured/validation (the study's figures stand there)",
+    "interfaces": "instobj docs measured/validation (the study's figures stand there)",
     "conventions": "instobj adopt RECORDING --spec SPEC (order and axes of chips)",
 }
 """Command before 0.2.0, or an option that is asked for as one → what to write."""
@@ -46,6 +48,8 @@ OPTIONS = {
     "collect --tips": "--place -:- for a load cell of two tips, -:-:- for three",
     "live --force": "--place FACE:X,Y=N",
     "live --remote": "--page ADDRESS:PORT alone: a token is made where other machines reach the address",
+    "press --patch": "--at FACE:X,Y,DEPTH of an indenter",
+    "rig --adaptive": "nothing: three strokes at all places leave as little",
     "rig --depth": "--plan depths_mm=1,2",
     "rig --dwell": "--plan dwell_s=0.5",
     "rig --full": "--plan full_n=15",
@@ -58,6 +62,7 @@ OPTIONS = {
     "rig --turn": "--middle X,Y,Z,TURN",
     "score --body": "--also jaw",
     "score --shear": "--also shear",
+    "train --on": "nothing; then instobj predict contacts.nc DATA",
     "train --start": "--twin SPEC, or instobj train SPEC (no presses)",
     "store --older-than": "--free 30d",
     "validate --exchanges": "nothing: nulls have 19 permutations",

@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from itertools import chain, islice
+from itertools import chain, islice, tee
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -185,13 +185,14 @@ def designed(request: Request) -> Made:
     progress = ProgressLine()
     with _timed_stage(progress, "places by rules"):
         placed = next(placements(request))
-    best = _first_that_can_be_made(scored_first(request, placed), _OF_THE_BODY, progress)
+    layouts, again = tee(scored_first(request, placed))
+    best = _first_that_can_be_made(layouts, _OF_THE_BODY, progress)
     if best is not None:
         return best
     with _timed_stage(progress, "other shells and seams, checked for fabrication"):
         by_rules = made(request)
     if by_rules[0] != placed or by_rules[1]:
-        layouts = scored_first(request, by_rules[0])
+        layouts = again if by_rules[0] == placed else scored_first(request, by_rules[0])
         best = _first_that_can_be_made(layouts, _checks(by_rules), progress)
     return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
 
@@ -219,6 +220,11 @@ def _first_that_can_be_made(
             checked = _checked_seams(tables, but) or _checked(islice(seams_of(tables), 1), but)
         if checked is not None and _checks(checked) <= but:
             return checked
+
+
+def _badness(checked: Made, but: set[str] | None) -> tuple[bool, int]:
+    """Return whether a check fails that may not, after which no more are made; and how many fail."""
+    return bool(_checks(checked) - (but or set())), len(checked[1])
 
 
 def _checks(checked: Made) -> set[str]:
@@ -256,8 +262,9 @@ def _checked(seams: Iterable[Tables], but: set[str] | None = None) -> Made | Non
     for tables in seams:
         findings = check_fabrication(spec_of(tables), but=but).findings
         failed = [finding for finding in findings if finding.status == "fail"]
-        if best is None or len(failed) < len(best[1]):
-            best = tables, failed
+        checked = tables, failed
+        if best is None or _badness(checked, but) < _badness(best, but):
+            best = checked
         if not failed or not all(map(_thin_mould, failed)):
             break
     return best

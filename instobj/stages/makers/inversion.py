@@ -49,6 +49,11 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     from estimator.inversion.storage import save_inversion
     from fem.presses.jaws import coverable_faces, jaw_faces
 
+    flat = coverable_faces(context.spec)
+    if context.spec.inversion.probes == "flat" and not flat:
+        raise InputError(
+            'inversion.probes = "flat" needs a flat sensed face; this body has none. Set it to "free"'
+        )
     forces, motions = context.read(PRESSES)
     signals = context.read(SIGNALS)
     context.step("error of the design within its tolerances")
@@ -58,11 +63,6 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     context.step("tables of presses")
     tips = inversion(context.spec, forces, motions, signals, error, modulus, shear)
     context.step("faces for jaws")
-    flat = coverable_faces(context.spec)
-    if context.spec.inversion.probes == "flat" and not flat:
-        raise InputError(
-            'inversion.probes = "flat" needs a flat sensed face; this body has none. Set it to "free"'
-        )
     jaws = jaw_faces(context.spec, context.read(RESPONSE), flat) if flat else ()
     save_inversion(replace(tips, jaw_tables=jaws), INVERSION.path(folder))
 

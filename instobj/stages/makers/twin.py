@@ -76,13 +76,13 @@ class TwinOfData:
         where none has, the twin of the whole object that presses of several contacts show."""
         from estimator.calibration.twin.inverted_twin import inverted_twin
         from estimator.calibration.twin.pressed_places import recorded_noise_counts
+        from estimator.frames.heatmap import faces_pressed
 
         if self.spec.inversion.probes == "flat":
             raise InputError(
                 'inversion.probes = "flat" is not known to a digital twin. Train without --twin, or set it '
                 'to "free"'
             )
-        from estimator.frames.heatmap import faces_pressed
 
         calibrated_by_face = {
             face: self.calibrated(frames, face, step) for face in faces_pressed(frames)

@@ -84,7 +84,9 @@ def test_a_cup_is_filled_and_keeps_its_handle():
     assert not body.surface.is_convex
 
 
-@pytest.mark.parametrize("scan", [recessed_can, arc, cup, *(partial(lump, seed) for seed in range(2))])
+@pytest.mark.parametrize(
+    "scan", [recessed_can, arc, cup, *(partial(lump, seed) for seed in range(2))]
+)
 def test_halves_part_at_the_seam_without_hooking(scan):
     """Lines along the pull go through the body once; the halves are mirror images."""
     surface = castable_body(scan()).surface
