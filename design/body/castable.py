@@ -23,8 +23,9 @@ _GRID_POINTS = 250_000
 _SMOOTHED_STEPS = 0.7
 """Standard deviation, in steps of the grid, by which distances are smoothed: noise that neighbouring corners
 share goes, and edges lose some tenths of a millimetre."""
-_NEARLY_CONVEX = 1.05
-"""Volume of a body's convex hull over its own, up to which the hull is taken: that of a can with rims."""
+_NEARLY_CONVEX, _SHALLOW = 1.1, 0.1
+"""Volume of a body's convex hull over its own, and depth of hollows over its shortest edge, up to which the
+hull is taken: those of cans with rims, not of bottles with a neck."""
 _SAMPLES = 3000
 """Points of a surface at which its distance to another is measured."""
 _AS_LITTLE_MM = 1.0
@@ -172,13 +173,25 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         standing_out = float(map_coordinates(even, places, order=1).max())
         changed = float(np.sum((even < 0) != (distance < 0))) * step**3
         surface = simplified(contour_of(even, points[0], step), _SIMPLIFIED_MM)
-        if surface.convex_hull.volume < _NEARLY_CONVEX * surface.volume:
+        if _has_shallow_hollows(surface):
             surface = surface.convex_hull  # air rises to one place of it
         samples = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)[0]
         off_mm = distance_mm(scan, np.asarray(samples))
         surface.apply_transform(_axes_to_y_and_z(axis, scan.extents))
         surface.apply_translation(-surface.bounds.mean(axis=0))
         yield CastableBody(surface, off_mm, max(standing_out, 0.0), changed)
+
+
+def _has_shallow_hollows(surface: trimesh.Trimesh) -> bool:
+    """Return whether the convex hull adds little volume and nowhere much depth."""
+    import trimesh
+
+    hull = surface.convex_hull
+    if hull.volume > _NEARLY_CONVEX * surface.volume:
+        return False
+    samples = trimesh.sample.sample_surface(hull, _SAMPLES, seed=0)[0]
+    deepest_mm = float(distance_mm(surface, np.asarray(samples)).max())
+    return deepest_mm < _SHALLOW * float(min(surface.extents))
 
 
 def _axes_to_y_and_z(mirrored: int, extents_mm: Float[np.ndarray, "3"]) -> Float[np.ndarray, "4 4"]:

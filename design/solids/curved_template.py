@@ -30,6 +30,9 @@ RIM_MM = 6.0
 NOTCH_MM = 2.0
 _WITHIN = 1 - 1e-9
 """Used share of a face: rounding puts some of its rim beyond it, where the surface is not known."""
+_SMALLER, _INNER, _EDGE_DEG = (1.0, 0.95, 0.9, 0.85), 0.75, 25.0
+"""Shares of the sheet that are tried where its rim leans that much more than the surface farther inside: on a
+body's rounded edge a sheet is ragged, and thinner than can be printed."""
 _LINES, _FEW, _SECTIONS, _OVER_MM, _ALIKE_MM = 49, 9, 48, 1.0, 0.05
 
 
@@ -78,8 +81,21 @@ def sheet_half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float,
     """Half extents of the sheet: the pockets and a rim, within the face."""
     far = np.max([pocket.reach_mm for pocket in pockets], axis=0)
     most = _WITHIN * np.asarray(frame.half_extents_mm)
-    x, y = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, most)
-    return float(x), float(y)
+    half = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, most)
+    ring = _lattice(frame, _FEW)
+    rim, within = ring.share[ring.rim], np.max([np.hypot(*(p.reach_mm / half)) for p in pockets])
+    shares = [share for share in _SMALLER if share > within or not frame.round]
+    lean_deg = {
+        share: np.rad2deg(
+            np.arctan(np.linalg.norm(frame.relief.evaluate(share * half * rim)[1], axis=1))
+        )
+        for share in (*shares, _INNER)
+    }
+    for share in shares:
+        if np.max(lean_deg[share] - lean_deg[_INNER]) < _EDGE_DEG:
+            half = share * half
+            break
+    return float(half[0]), float(half[1])
 
 
 @dataclass(frozen=True)
