@@ -19,12 +19,12 @@ def followed(force, rng, step_s=1.0):
     whether it was taken for steady in the end."""
     along = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
     walk = np.cumsum(np.sqrt(RATE * step_s) * rng.standard_normal((len(force), 30)), axis=0)
-    held = HeldDrift(NOISE**2 * np.eye(30), RATE)
+    held = HeldDrift(NOISE**2 * np.eye(30), RATE, unknown_counts2=0.0)
     held.begin(np.array([3]), along, 8, PATTERN)
     zero, zeros = np.zeros(30), []
     for drift, factor in zip(walk, force, strict=True):
         raw = drift + factor * along + NOISE * rng.standard_normal(30)
-        held.pass_by(step_s)
+        held.drift_for(step_s)
         if held.is_of(np.array([3])):
             zero = zero + held.follow(raw - zero)
         zeros.append(zero)
