@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from scipy.linalg import solve_triangular
 from scipy.stats import chi2
 
@@ -51,6 +51,7 @@ class HeldDrift:
     _before: float = 0.0
     _faces: tuple[int, ...] = ()
     _misread: int = 0
+    _read: Bool[np.ndarray, "channel"] = field(default_factory=lambda: np.zeros(0, bool))
     _held: Float[np.ndarray, "channel"] | None = None
     _patterns: Float[np.ndarray, "channel pattern"] = field(
         default_factory=lambda: np.zeros((0, 0))
@@ -110,7 +111,7 @@ class HeldDrift:
         channel has none, and the derivatives of their signals. What drifted before is within that change,
         and stays unknown."""
         self._faces, self._held, self._misread = tuple(np.sort(faces).tolist()), change, 0
-        self._before = self.unknown_counts2
+        self._before, self._read = self.unknown_counts2, np.isfinite(change)
         self._patterns = np.linalg.qr(np.vstack([slopes, np.nan_to_num(change)]).T)[0]
         self._covariance = np.kron([[0.0, 0.0], [0.0, 1.0]], self.noise / frames)
         self._lately, self._spread = np.zeros((len(_TIMES_S), len(change))), 0 * _TIMES_S
@@ -140,7 +141,8 @@ class HeldDrift:
         if live.any():
             of_drift = self._covariance[:channels, :channels][np.ix_(live, live)]
             self.unknown_counts2 = self._before + float(np.median(np.linalg.eigvalsh(of_drift)))
-        self._lately = self._lately + drifted
+        # what a channel drifted while it had no reading shows at once, and is no change of the contacts
+        self._lately, self._read = self._lately + np.where(self._read, drifted, 0.0), live
         pattern_counts = self._lately @ self._patterns
         most = chi2.isf(_CHANCE, pattern_counts.shape[1]) * self._spread
         (changed,) = np.nonzero((pattern_counts**2).sum(axis=1) > most)
