@@ -40,13 +40,13 @@ class HeldDrift:
     noise : (channel, channel) covariance of what changes from frame to frame (counts²), nuisances included
     rate : by how much the variance of drift grows (counts²/s)
     unknown_counts2 : variance of the drift that no hold has shown since the last rest (counts²), in
-        the middle of all directions; 0 at rest, infinite while no rest is known
+        the middle of all directions; 0 at rest, infinite after a pause
     same_s : time for which contacts have been on the same faces, until they are held
     """
 
     noise: Float[np.ndarray, "channel channel"]
     rate: float
-    unknown_counts2: float = math.inf
+    unknown_counts2: float = 0.0
     same_s: float = 0.0
     _before: float = 0.0
     _faces: tuple[int, ...] = ()

@@ -19,7 +19,7 @@ def followed(force, rng, step_s=1.0, before_s=0, missing=slice(0)):
     time; and whether it was taken for steady in the end. Contacts changed for some time `before_s`; the first
     channel has no reading in the frames `missing`."""
     along = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
-    held = HeldDrift(NOISE**2 * np.eye(30), RATE, unknown_counts2=0.0)
+    held = HeldDrift(NOISE**2 * np.eye(30), RATE)
     for second in range(before_s):
         held.drift_for(1.0)
         assert not held.is_of(np.array([1 + second // 2 % 2]))
@@ -49,17 +49,18 @@ def test_half_an_hour_of_drift_is_followed_and_its_error_known(before_s):
     assert np.sqrt(np.mean(error**2)) == pytest.approx(np.sqrt(held.unknown_counts2), rel=0.25)
 
 
-def test_after_rest_all_is_known_and_after_a_pause_nothing():
-    held = HeldDrift(np.eye(30), 0.0)
-    held.drift_for(1.0)
-    assert held.unknown_counts2 == np.inf
-    held.unknown_counts2 = 0.0
-    held.drift_for(1.0)
-    assert held.unknown_counts2 == 0.0
+@pytest.mark.parametrize("rate", [0.0, RATE])
+def test_nothing_is_known_after_a_pause_even_where_nothing_drifts(rate):
+    held = HeldDrift(np.eye(30), rate)
+    held.drift_for(2.0)
+    assert held.unknown_counts2 == 2 * rate
     held.begin(np.array([3]), PATTERN[0], 8, PATTERN)
     held.drift_for(np.inf)
     assert held.unknown_counts2 == np.inf
     assert not held.steady
+    held.begin(np.array([3]), PATTERN[0], 8, PATTERN)
+    held.drift_for(1.0)
+    assert np.isfinite(held.follow(PATTERN[0])).all()
 
 
 def test_a_channel_without_a_reading_is_followed_at_once_when_it_is_back():
