@@ -128,6 +128,7 @@ class LiveContacts:
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
             self._tracker.slip = slip.carried()
+            self._age_s = self._held.unknown_counts2 = 0.0  # the zero moved to rest
         return contacts
 
     def _follow_hold(self, contacts: ContactSets, change: Float[np.ndarray, "channel"]) -> None:
