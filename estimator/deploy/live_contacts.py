@@ -81,7 +81,8 @@ class LiveContacts:
         )
         self._zero: np.ndarray | None = None
         shown = self.inversion.disturbances
-        noise = np.diag(shown.noise_counts**2) + shown.columns @ shown.columns.T
+        # 1/12: rounding to whole counts
+        noise = np.diag(shown.noise_counts**2 + 1 / 12) + shown.columns @ shown.columns.T
         self._held = HeldDrift(noise, drift_counts(self.inversion, 1.0) ** 2)
         self._age_s = 0.0
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
@@ -127,28 +128,33 @@ class LiveContacts:
         slip = self.slip
         if slip is not None and slip.counts.any() and self.level.move(slip.counts):
             self._tracker.slip = slip.carried()
+            self._age_s = self._held.unknown_counts2 = 0.0  # the zero moved to rest
         return contacts
 
     def _follow_hold(self, contacts: ContactSets, change: Float[np.ndarray, "channel"]) -> None:
-        """Move the zero by what channels drift while the contacts just read are held."""
-        held, filled = self._held, contacts.face[0] != NO_FACE
+        """Move the zero by what channels drift while the contacts just read are held.
+
+        Jaws end a hold and begin none: their signals change by other patterns than those of tips.
+        """
+        held, tips = self._held, (contacts.face[0] != NO_FACE) & ~contacts.jaws[0]
         elapsed_s, self._age_s = self.level.age_s - self._age_s, self.level.age_s
         goes_on = self._age_s > 0 and 0 <= elapsed_s <= PAUSE_S
-        held.pass_by(elapsed_s if goes_on else math.inf)
-        if not goes_on or not filled.any():
+        held.drift_for(elapsed_s if goes_on else math.inf)
+        if self._age_s == 0:  # at rest
+            held.unknown_counts2 = 0.0
+        if not tips.any():
             held.forget()
         elif not contacts.explained[0] or contacts.chip_out[0] != NONE:
             return
-        elif held.is_of(contacts.face[0][filled]):
-            self.level.drift(held.follow(change))
-        elif not held.steady and (still := self.level.still_change(held.alike)) is not None:
-            faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, filled])
-            places = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[
-                :, filled
-            ]
+        elif held.is_of(contacts.face[0][tips]):
+            self.level.drift(held.follow(change), elapsed_s)
+        elif not held.steady and (still := self.level.still_change(held.same_s)) is not None:
+            faces = np.searchsorted(self.inversion.model.signals.faces, contacts.face[:, tips])
+            places = np.concatenate([contacts.xy_mm, contacts.force_n[..., None]], axis=2)[:, tips]
             slopes = self.inversion.model.singles(faces, places)[0, :, 1:].reshape(-1, len(change))
-            still[np.isnan(change)] = np.nan
-            held.begin(contacts.face[0][filled], still, self.zero_frames, slopes)
+            mean, frames = still
+            mean[np.isnan(change)] = np.nan
+            held.begin(contacts.face[0][tips], mean, frames, slopes)
 
     def condition(self) -> Condition:
         """Return the object's condition by its last frames."""

@@ -12,7 +12,11 @@ hides below the noise. A still level becomes the zero
   while something touched;
 - by at most 1 count/s, when it reads as no contact: drift.
 
-A reader that knows what drift looks like also judges all that was followed in the last ten minutes:
+While contacts are held, a reader that knows drift moves the zero by what it sees of it, at any rate
+(`StreamZero.drift`); a reader that knows a slip of the core moves it by that (`StreamZero.move`).
+
+A reader that knows what drift looks like also judges all that was followed in the last ten minutes, in
+rest and in holds, when it next follows rest:
 where that is a press, and no drift, it grew slowly, and the zero goes back to where it was. Holds of
 any force and length are then no rest. Of a file, frames read against a level in a press are read again,
 against the rest that showed it (`read_through`). The price: a hold that keeps less than 15 % of the
@@ -58,7 +62,7 @@ RETURN_SHARE = 0.15
 SETTLE_S = 5.0
 """Time after a load from which its press is over; drift is followed over so long at most."""
 DRIFT_COUNTS_PER_S = 1.0
-"""Rate at which the zero follows the readings, at most."""
+"""Rate at which the zero follows still levels of rest, at most."""
 LEAST_FORCE_N = 0.3
 """Force below which nothing presses."""
 PRESS_FORCE_N = 1.0
@@ -109,7 +113,7 @@ class RestZero:
     read : how the estimator reads a constant change
     read_drift : the same for all that was followed lately, with drift as a disturbance; None where the
         reader does not know drift
-    rested_s : when a level was last taken for rest
+    rested_s : when a level was last taken for rest; a level that is given, with the first frame
     starts : how many levels were taken at once, not followed
     from_press : the last of them showed that the one before it was taken in a press
 
@@ -155,6 +159,8 @@ class RestZero:
         """Take a frame into the window alone, for readers that leave frames out; s since the last one."""
         now_s = self.now_s + _FRAME_S if math.isnan(time_s) else time_s
         elapsed_s, self.now_s = now_s - self.now_s, now_s
+        if self.level is not None and math.isinf(self.rested_s):
+            self.rested_s = now_s
         if is_pause(elapsed_s):
             self.window.clear()
             self._held = None
@@ -243,8 +249,7 @@ class RestZero:
         assert self.level is not None
         most = DRIFT_COUNTS_PER_S * min(elapsed_s, SETTLE_S)
         step = np.clip(change, -most, most)
-        kept = math.exp(-min(elapsed_s, SETTLE_S) / REMEMBERED_S)
-        followed = kept * self._followed + step
+        followed = self._remembered(min(elapsed_s, SETTLE_S)) + step
         if self.read_drift is not None:
             drift = self.read_drift(followed, len(self.window))
             if drift.contact >= 0.5 and drift.force_n >= LEAST_FORCE_N:
@@ -252,6 +257,15 @@ class RestZero:
                 self._followed = np.zeros(len(change))
                 return
         self.level, self._followed, self.rested_s = self.level + step, followed, self.now_s
+
+    def drift(self, change: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
+        """Move the zero by what drifted in that time while contacts were held: it counts as followed."""
+        if self.level is not None:
+            self.level, self._followed = self.level + change, self._remembered(elapsed_s) + change
+
+    def _remembered(self, elapsed_s: float) -> np.ndarray:
+        """Return what was followed lately and is not yet forgotten."""
+        return math.exp(-elapsed_s / REMEMBERED_S) * self._followed
 
 
 @dataclass
@@ -300,18 +314,22 @@ class StreamZero:
         self.level = self._rest.level
         return True
 
-    def drift(self, change: Float[np.ndarray, "channel"]) -> None:
-        """Move a zero that follows rest by what channels drifted while contacts were held."""
-        if self._rest is not None and self._rest.level is not None:
-            self._rest.level = self.level = self._rest.level + change
+    def drift(self, change: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
+        """Move a zero that follows rest by what channels drifted in that time while contacts were held."""
+        if self._rest is not None:
+            self._rest.drift(change, elapsed_s)
+            self.level = self._rest.level
 
-    def still_change(self, frames: int) -> Float[np.ndarray, "channel"] | None:
-        """Return the mean change of the window against a zero that follows rest; None unless it is still and
-        holds no more frames than these."""
-        if self._rest is None or self.level is None or len(self._rest.window) > frames:
+    def still_change(self, since_s: float) -> tuple[Float[np.ndarray, "channel"], int] | None:
+        """Return the mean change of the window against a zero that follows rest, and its number of frames;
+        None unless it is still and began within this time."""
+        if self._rest is None or self.level is None:
+            return None
+        window, now_s = self._rest.window, self._rest.now_s
+        if not window or window[0][0] < now_s - since_s:
             return None
         level = self._rest.still_level()
-        return None if level is None else level - self.level
+        return None if level is None else (level - self.level, len(window))
 
     @property
     def starts(self) -> int:

@@ -93,8 +93,12 @@ class Tracker:
         drift_counts: float = 0.0,
         left_counts: float | None = None,
     ) -> ContactSets:
-        """The contacts of the next frame (changes of counts against rest); `drift_counts` is the deviation of
-        what every channel drifted since, `left_counts` of what of it a hold has not shown (default: all)."""
+        """Return the contacts of the next frame (changes of counts against rest).
+
+        `drift_counts` is the deviation of what every channel drifted since rest, `left_counts` of what of it
+        a hold has not shown (default: all). What a hold has shown widens `covariance` alone, with the common
+        error of forces in it: not the sizes of jaws, tangential forces, nor what changed since the zero.
+        """
         unshown = drift_counts if left_counts is None else left_counts
         self._widened = math.hypot(1.0, unshown / self._fresh_counts)
         sets = self._contacts_in(self._without_slip(counts, unshown))
@@ -103,7 +107,7 @@ class Tracker:
             factor = (1 + (drift_counts / self._fresh_counts) ** 2) / self._widened**2
             wide = widened(sets.covariance, np.full(1, factor), self.inversion.priors)
             sets = replace(sets, covariance=wide)
-        self._notice_slip(counts, drift_counts, sets)
+        self._notice_slip(counts, unshown, sets)
         self._recent.append((not sets.explained[0], self.beside_magnet))
         return sets
 

@@ -276,6 +276,39 @@ def test_modes_of_a_stream_s_zero():
     assert zeroing.StreamZero("none", 2, read).update(rows[0], 0.0).tolist() == [0.0] * 6
 
 
+def test_a_level_that_is_given_is_rest_at_its_first_frame():
+    """So drift since then is known, and holds against it are followed."""
+    zero = StreamZero("rest", 8, read, level=np.full(6, 700.0))
+    ages = []
+    for number in range(3):
+        zero.update(np.full(6, 700.0) + 8 * GAIN, 1e6 + number)
+        ages.append(zero.age_s)
+    assert ages == [0.0, 1.0, 2.0]
+
+
+def test_a_mean_of_still_frames_begins_no_earlier_than_asked():
+    """By its time: frames that pass by are in the window too, 0.6 s long."""
+    zero = StreamZero("rest", 8, read, level=np.zeros(6))
+    for number in range(10):
+        zero.update(np.full(6, 5.0) + 8 * GAIN, 0.1 * number)
+        zero.pass_by(np.full(6, 5.0) + 8 * GAIN, 0.1 * number + 0.02)
+    assert zero.still_change(0.5) is None
+    change, frames = zero.still_change(0.7)
+    assert change.tolist() == pytest.approx((5.0 + 8 * GAIN).tolist())
+    assert frames == 13
+
+
+def test_what_holds_moved_is_given_back_where_it_is_a_press():
+    """A hold's drift along the press is judged with what is followed at rest, but one long past is not."""
+    for elapsed_s, back in ((1.0, True), (6000.0, False)):
+        zero = RestZero(8, read, read)
+        zero.start(np.zeros(6))
+        zero.drift(2 * GAIN, 1.0)
+        zero.drift(np.zeros(6), elapsed_s)
+        zero.consider(2 * GAIN + 0.5, 1.0)
+        assert (zero.level @ GAIN < 0.1 * GAIN @ GAIN) == back
+
+
 def test_one_wrong_reading_does_not_move_the_zero():
     rows = np.tile([700.0, -20.0], (8, 1)) + np.arange(8)[:, None]
     wrong = rows.copy()
