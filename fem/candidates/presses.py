@@ -1,9 +1,9 @@
 """Presses of the magnet-free shell, recorded at every candidate place of a magnet.
 
-They go to the lattice of the chain's own presses, so that slopes along the surface are as good as there:
-from contact locations alone, twice as far apart, position bounds scattered by 21 % place by place, from the
-lattice by 11 % (seven layouts of the paper's cube at 2, 5 and 12 N, one face; against rigid magnets tied to
-the same mesh).
+They go to the lattice of the chain's own presses, so that slopes along the surface are as good as there.
+From contact locations alone, twice as far apart, position bounds scattered by 21 % place by place, from the
+lattice by 11 %. That is of seven layouts of the paper's cube at 2, 5 and 12 N, one face, against rigid
+magnets tied to the same mesh.
 """
 
 from __future__ import annotations
@@ -53,14 +53,16 @@ FORCE_SHARES = (0.8, 1.2)
 _LEAST_PRESSURE = 1e-7
 """Share of the largest pattern of pressure below which a pattern is left out."""
 _LEAST_MODE = 3e-4
-"""Share of the largest mode below which a mode of the candidates is left out: such modes change position
-bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's cube; 1.5 % at most), modes
-below 1e-3 by 0.24 % (3 %)."""
+"""Share of the largest mode below which a mode of the candidates is left out.
+
+Such modes change position bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's
+cube; 1.5 % at most), modes below 1e-3 by 0.24 % (3 %)."""
 _LEAST_MOTION = 1e-3
-"""Share of the largest motions of all candidates below which those of a face stay 0: patterns of pressure
-are solved by the energy that they leave, until all faces' fall below. On the paper's cube half of 3136
-patterns are; position bounds change by 0.6 % (rms over places of seven layouts at 3.5 N, 2.4 % at 1 N, where
-the worst place changes by 16 %), where the level itself scatters by 11 %."""
+"""Share of the largest motions of all candidates below which those of a face stay 0.
+
+Patterns of pressure are solved by the energy that they leave, until all faces' fall below. On the paper's
+cube half of 3136 patterns are. Position bounds of seven layouts change by 0.6 % at 3.5 N (rms over places)
+and by 2.4 % at 1 N, where the worst place changes by 16 %. The level itself scatters by 11 %."""
 _CHUNK = 32
 """Right-hand sides solved at once: it bounds the memory."""
 
