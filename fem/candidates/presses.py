@@ -129,8 +129,10 @@ def simulate_candidates(
             progress(f"face {number}: contact at {len(presses.force_n)} places")
         loads = response.face_loads(index)
         share, patterns = _patterns(presses.pressure_mpa, response.compliance[loads, loads])
-        # patterns hold all of the pressures, which take the most memory
-        without = replace(presses, pressure_mpa=presses.pressure_mpa[..., :0])
+        # patterns hold all of the pressures, which take the most memory and are dropped: an array of
+        # none, as a view of them would keep them
+        none = np.zeros((*presses.pressure_mpa.shape[:2], 0))
+        without = replace(presses, pressure_mpa=none)
         return without, share.astype(np.float32), patterns
 
     # contact of faces to come on a second core, while this one solves
@@ -248,9 +250,7 @@ def _record(
             _placed(spec, lattice.face, lattice.xyd_mm[here])
             for lattice, here in zip(lattices, is_known, strict=True)
         ]
-        whole = [candidate_rows(system.space, *place, body) for place in placed]
-        # in single precision, in which motions are stored: half the memory and time
-        whole = [BodyRows(rows.columns, rows.weights.astype(np.float32)) for rows in whole]
+        whole = [_in_single(candidate_rows(system.space, *place, body)) for place in placed]
         for index, surface in enumerate(response.surfaces):
             face_presses, share, patterns = coming.result()
             if index + 1 < len(response.surfaces):
@@ -278,6 +278,11 @@ def _record(
             if progress:
                 progress(f"face {number}: {len(share)} presses")
     return presses, recorded, body, between
+
+
+def _in_single(rows: BodyRows) -> BodyRows:
+    """Return rows in single precision, in which motions are stored: half the memory and time."""
+    return BodyRows(rows.columns.astype(np.int32), rows.weights.astype(np.float32))
 
 
 def _moved(
