@@ -9,10 +9,11 @@ magnets tied to the same mesh.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import scipy.sparse as sp
@@ -22,6 +23,7 @@ from design.files import atomic_path, reserve_room
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
+from design.processes import one_blas_thread
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import extension
 from fem.candidates.influence import influence
@@ -40,7 +42,7 @@ from fem.candidates.rigid_body import (
     candidate_rows,
     tied_magnets,
 )
-from fem.linear.factorization import Factorization
+from fem.linear.factorization import Factorization, pardiso_available
 from fem.linear.response import (
     ResponseOperator,
     elastic_system,
@@ -121,12 +123,17 @@ def simulate_candidates(
         The matrix could not be factored.
     """
 
+    broken_off = Event()
+
+    def contact(index: int) -> PressesAtForce:
+        presses = presses_at_forces(spec, response, index, force_shares)
+        if broken_off.is_set():  # more threads may have made it, with other last digits
+            raise CancelledError
+        return presses
+
     def pressed(index: int) -> _InPatterns:
-        number = response.surfaces[index].number
-        make = partial(presses_at_forces, spec, response, index, force_shares)
+        number, make = response.surfaces[index].number, partial(contact, index)
         presses = make() if unfinished is None else _kept(unfinished, number, make)
-        if progress:
-            progress(f"face {number}: contact at {len(presses.force_n)} places")
         loads = response.face_loads(index)
         share, patterns = _patterns(presses.pressure_mpa, response.compliance[loads, loads])
         # patterns hold all of the pressures, which take the most memory and are dropped: an array of
@@ -135,10 +142,20 @@ def simulate_candidates(
         without = replace(presses, pressure_mpa=none)
         return without, share.astype(np.float32), patterns
 
-    # contact of faces to come on a second core, while this one solves
-    with ThreadPoolExecutor(1) as ahead:
-        begin = partial(ahead.submit, pressed)
-        presses, recorded, body, between = _record(spec, mesh, response, begin, lattices, progress)
+    # contact of faces to come on a second core, while this one solves; both on one thread of linear
+    # algebra throughout, so that results are the same, run for run
+    pardiso_available()  # loads MKL, which the limit could not find later
+    ahead = ThreadPoolExecutor(1)
+    with one_blas_thread():
+        try:
+            begin = partial(ahead.submit, pressed)
+            presses, recorded, body, between = _record(
+                spec, mesh, response, begin, lattices, progress
+            )
+        finally:
+            # an error is raised at once, while contact at work goes on to its end unread
+            broken_off.set()
+            ahead.shutdown(wait=False, cancel_futures=True)
     has_place = pressed_nodes(spec)
     force, depth, deepest = (
         np.stack(
@@ -253,9 +270,12 @@ def _record(
         whole = [_in_single(candidate_rows(system.space, *place, body)) for place in placed]
         for index, surface in enumerate(response.surfaces):
             face_presses, share, patterns = coming.result()
+            number = surface.number
+            if progress:
+                progress(f"face {number}: contact at {len(face_presses.force_n)} places")
             if index + 1 < len(response.surfaces):
                 coming = begin_contact(index + 1)
-            own_loads, number = response.face_loads(index), surface.number
+            own_loads = response.face_loads(index)
             (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
             rows = [whole[k] if k == under else whole[k].motions for k in range(len(whole))]
             moved = _moved(basis, factor, loads[:, own_loads], patterns, rows)

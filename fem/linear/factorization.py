@@ -26,6 +26,7 @@ import scipy.sparse.linalg
 from jaxtyping import Bool, Float, Int32
 from scipy.linalg import get_lapack_funcs
 
+from design.processes import load_library
 from fem.linear.multifrontal import SingularSystemError, eliminate
 from fem.linear.sparse import block_matrix, columns_of, rows_of, shape_of, upper_triangle
 
@@ -248,7 +249,7 @@ def _mkl_library() -> Any:
     """
     for file in _files_of("mkl"):
         if "mkl_rt" in file.name:
-            return ctypes.CDLL(str(file.locate()))
+            return load_library(str(file.locate()))
     from pypardiso import PyPardisoSolver
 
     return PyPardisoSolver().libmkl
