@@ -267,7 +267,7 @@ def _record(
             _placed(spec, lattice.face, lattice.xyd_mm[here])
             for lattice, here in zip(lattices, is_known, strict=True)
         ]
-        whole = [_in_single(candidate_rows(system.space, *place, body)) for place in placed]
+        whole = [_single_precision(candidate_rows(system.space, *place, body)) for place in placed]
         for index, surface in enumerate(response.surfaces):
             face_presses, share, patterns = coming.result()
             number = surface.number
@@ -300,7 +300,7 @@ def _record(
     return presses, recorded, body, between
 
 
-def _in_single(rows: BodyRows) -> BodyRows:
+def _single_precision(rows: BodyRows) -> BodyRows:
     """Return rows in single precision, in which motions are stored: half the memory and time."""
     return BodyRows(rows.columns.astype(np.int32), rows.weights.astype(np.float32))
 
