@@ -6,6 +6,7 @@ each of these is one error.
 
 from __future__ import annotations
 
+import ctypes
 import errno
 import functools
 import os
@@ -32,7 +33,7 @@ _GIB = 2.0**30
 
 
 def one_blas_thread() -> AbstractContextManager[Any]:
-    """A context in which NumPy's and SciPy's linear algebra takes one thread."""
+    """A context in which linear algebra of loaded libraries (NumPy's, SciPy's, MKL's) takes one thread."""
     return _loaded_libraries(len(sys.modules)).limit(limits=1, user_api="blas")
 
 
@@ -40,6 +41,13 @@ def one_blas_thread() -> AbstractContextManager[Any]:
 def _loaded_libraries(_modules: int) -> ThreadpoolController:
     """Look for them again where modules were imported since, which may bring libraries: it takes 8 ms."""
     return ThreadpoolController()
+
+
+def load_library(path: str) -> ctypes.CDLL:
+    """Load a library of linear algebra, so that `one_blas_thread` finds it from then on."""
+    library = ctypes.CDLL(path)
+    _loaded_libraries.cache_clear()
+    return library
 
 
 class ChildFailed(Exception):

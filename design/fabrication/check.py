@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
-
-import trimesh
+from typing import TYPE_CHECKING
 
 from design.build.parts import parts_of
 from design.errors import NotOneSolid
@@ -31,6 +30,9 @@ from design.fabrication.tools import check_tools
 from design.solids.booleans import TRIANGLES, convert_to_triangles, stl_surface
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
+
+if TYPE_CHECKING:
+    import trimesh
 
 SLIVER_MM3 = 1.0
 """Separate pieces below this volume come loose in the print."""
@@ -54,7 +56,8 @@ def check_fabrication(
     A part that falls into pieces is a finding itself; where its surface does not close, the checks
     that need it are left out.
     """
-    findings, meshes = list[Finding](), dict[str, trimesh.Trimesh]()
+    findings = list[Finding]()
+    meshes: dict[str, trimesh.Trimesh] = {}
     for finding in _findings(spec, meshes, progress):
         findings.append(finding)
         if but is not None and finding.status == "fail" and finding.check not in but:

@@ -1,18 +1,19 @@
 """Presses of the magnet-free shell, recorded at every candidate place of a magnet.
 
-They go to the lattice of the chain's own presses, so that slopes along the surface are as good as there:
-from contact locations alone, twice as far apart, position bounds scattered by 21 % place by place, from the
-lattice by 11 % (seven layouts of the paper's cube at 2, 5 and 12 N, one face; against rigid magnets tied to
-the same mesh).
+They go to the lattice of the chain's own presses, so that slopes along the surface are as good as there.
+From contact locations alone, twice as far apart, position bounds scattered by 21 % place by place, from the
+lattice by 11 %. That is of seven layouts of the paper's cube at 2, 5 and 12 N, one face, against rigid
+magnets tied to the same mesh.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import scipy.sparse as sp
@@ -22,6 +23,7 @@ from design.files import atomic_path, reserve_room
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
+from design.processes import one_blas_thread
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import extension
 from fem.candidates.influence import influence
@@ -40,7 +42,7 @@ from fem.candidates.rigid_body import (
     candidate_rows,
     tied_magnets,
 )
-from fem.linear.factorization import Factorization
+from fem.linear.factorization import Factorization, pardiso_available
 from fem.linear.response import (
     ResponseOperator,
     elastic_system,
@@ -53,14 +55,16 @@ FORCE_SHARES = (0.8, 1.2)
 _LEAST_PRESSURE = 1e-7
 """Share of the largest pattern of pressure below which a pattern is left out."""
 _LEAST_MODE = 3e-4
-"""Share of the largest mode below which a mode of the candidates is left out: such modes change position
-bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's cube; 1.5 % at most), modes
-below 1e-3 by 0.24 % (3 %)."""
+"""Share of the largest mode below which a mode of the candidates is left out.
+
+Such modes change position bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's
+cube; 1.5 % at most), modes below 1e-3 by 0.24 % (3 %)."""
 _LEAST_MOTION = 1e-3
-"""Share of the largest motions of all candidates below which those of a face stay 0: patterns of pressure
-are solved by the energy that they leave, until all faces' fall below. On the paper's cube half of 3136
-patterns are; position bounds change by 0.6 % (rms over places of seven layouts at 3.5 N, 2.4 % at 1 N, where
-the worst place changes by 16 %), where the level itself scatters by 11 %."""
+"""Share of the largest motions of all candidates below which those of a face stay 0.
+
+Patterns of pressure are solved by the energy that they leave, until all faces' fall below. On the paper's
+cube half of 3136 patterns are. Position bounds of seven layouts change by 0.6 % at 3.5 N (rms over places)
+and by 2.4 % at 1 N, where the worst place changes by 16 %. The level itself scatters by 11 %."""
 _CHUNK = 32
 """Right-hand sides solved at once: it bounds the memory."""
 
@@ -119,22 +123,39 @@ def simulate_candidates(
         The matrix could not be factored.
     """
 
+    broken_off = Event()
+
+    def contact(index: int) -> PressesAtForce:
+        presses = presses_at_forces(spec, response, index, force_shares)
+        if broken_off.is_set():  # more threads may have made it, with other last digits
+            raise CancelledError
+        return presses
+
     def pressed(index: int) -> _InPatterns:
-        number = response.surfaces[index].number
-        make = partial(presses_at_forces, spec, response, index, force_shares)
+        number, make = response.surfaces[index].number, partial(contact, index)
         presses = make() if unfinished is None else _kept(unfinished, number, make)
-        if progress:
-            progress(f"face {number}: contact at {len(presses.force_n)} places")
         loads = response.face_loads(index)
         share, patterns = _patterns(presses.pressure_mpa, response.compliance[loads, loads])
-        # patterns hold all of the pressures, which take the most memory
-        without = replace(presses, pressure_mpa=presses.pressure_mpa[..., :0])
+        # patterns hold all of the pressures, which take the most memory and are dropped: an array of
+        # none, as a view of them would keep them
+        none = np.zeros((*presses.pressure_mpa.shape[:2], 0))
+        without = replace(presses, pressure_mpa=none)
         return without, share.astype(np.float32), patterns
 
-    # contact of faces to come on a second core, while this one solves
-    with ThreadPoolExecutor(1) as ahead:
-        begin = partial(ahead.submit, pressed)
-        presses, recorded, body, between = _record(spec, mesh, response, begin, lattices, progress)
+    # contact of faces to come on a second core, while this one solves; both on one thread of linear
+    # algebra throughout, so that results are the same, run for run
+    pardiso_available()  # loads MKL, which the limit could not find later
+    ahead = ThreadPoolExecutor(1)
+    with one_blas_thread():
+        try:
+            begin = partial(ahead.submit, pressed)
+            presses, recorded, body, between = _record(
+                spec, mesh, response, begin, lattices, progress
+            )
+        finally:
+            # an error is raised at once, while contact at work goes on to its end unread
+            broken_off.set()
+            ahead.shutdown(wait=False, cancel_futures=True)
     has_place = pressed_nodes(spec)
     force, depth, deepest = (
         np.stack(
@@ -246,14 +267,15 @@ def _record(
             _placed(spec, lattice.face, lattice.xyd_mm[here])
             for lattice, here in zip(lattices, is_known, strict=True)
         ]
-        whole = [candidate_rows(system.space, *place, body) for place in placed]
-        # in single precision, in which motions are stored: half the memory and time
-        whole = [BodyRows(rows.columns, rows.weights.astype(np.float32)) for rows in whole]
+        whole = [_single_precision(candidate_rows(system.space, *place, body)) for place in placed]
         for index, surface in enumerate(response.surfaces):
             face_presses, share, patterns = coming.result()
+            number = surface.number
+            if progress:
+                progress(f"face {number}: contact at {len(face_presses.force_n)} places")
             if index + 1 < len(response.surfaces):
                 coming = begin_contact(index + 1)
-            own_loads, number = response.face_loads(index), surface.number
+            own_loads = response.face_loads(index)
             (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
             rows = [whole[k] if k == under else whole[k].motions for k in range(len(whole))]
             moved = _moved(basis, factor, loads[:, own_loads], patterns, rows)
@@ -276,6 +298,11 @@ def _record(
             if progress:
                 progress(f"face {number}: {len(share)} presses")
     return presses, recorded, body, between
+
+
+def _single_precision(rows: BodyRows) -> BodyRows:
+    """Return rows in single precision, in which motions are stored: half the memory and time."""
+    return BodyRows(rows.columns.astype(np.int32), rows.weights.astype(np.float32))
 
 
 def _moved(

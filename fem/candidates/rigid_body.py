@@ -1,16 +1,17 @@
 """Motion of one rigid magnet with the silicone round it, as weights on displacements at its skin.
 
-The motion of a magnet tied by the functionals Φ of `tied_magnets`, in a field of displacements u that
-the silicone has without it, is (Rᵀ F⁻¹ R)⁻¹ Rᵀ F⁻¹ Φᵀ u, with R the functionals of its rigid motions
-and F = Φᵀ A⁻¹ Φ their flexibility: u weighted with the tractions that the magnet exerts when it is
-moved, as Faxén's laws say of a sphere in a fluid (Kim and Karrila, Microhydrodynamics, 1991, ch. 3).
+A magnet is tied by the functionals Φ of `tied_magnets`, in a field of displacements u that the silicone
+has without it. With R the functionals of its rigid motions and F = Φᵀ A⁻¹ Φ their flexibility, it moves by
+(Rᵀ F⁻¹ R)⁻¹ Rᵀ F⁻¹ Φᵀ u. That is u weighted with the tractions that the magnet exerts when it is moved,
+as Faxén's laws say of a sphere in a fluid (Kim and Karrila, Microhydrodynamics, 1991, ch. 3).
+
 F is taken below the middle of every face, at three depths, and the mean serves everywhere. How wrong
 that is was measured on the paper's cube alone, one mesh, 5 N, 24 random places of one face, with F from
-other places of that face (rms over presses): a magnet tied at its own place moves otherwise by 4 % along
-the normal, 6 to 9 % along the face, 8 % in its tilt and 24 % in its spin, which does not change a disk's
-field; a fit of its mid-plane was off by 31, 22, 37 and 24 %. On elements of 3 mm it is 8, 13, 23 and
-93 % (tests). Left out here: the other magnets (5 %; `fem.candidates.influence`), and how magnets change the
-pressures of a press (4 %).
+other places of that face. A magnet tied at its own place moves otherwise (rms over presses) by 4 % along
+the normal, 6 to 9 % along the face and 8 % in its tilt. In its spin, which does not change a disk's
+field, it is 24 %. A fit of its mid-plane was off by 31, 22, 37 and 24 %. On elements of 3 mm it is 8, 13,
+23 and 93 % (tests). Left out here: the other magnets (5 %; `fem.candidates.influence`), and how magnets
+change the pressures of a press (4 %).
 """
 
 from __future__ import annotations
@@ -77,9 +78,11 @@ Along the axis z with the plane shrinking; shears xz and yz; stretch and shear i
 
 @dataclass(frozen=True)
 class RigidBody:
-    """Points on a magnet's skin about its centre, in its own frame, mm, and weights of displacements there:
-    in its motion (c, ω), 1 and 1/mm, and in the strain round it as shares of `STRAINS`, 1/mm; components in
-    that frame too."""
+    """Points on a magnet's skin about its centre, mm, and weights of displacements there, in its own frame.
+
+    `weights` give its motion (c, ω), 1 and 1/mm; `strain_weights` the strain round it as shares of `STRAINS`,
+    1/mm.
+    """
 
     points_mm: Float[np.ndarray, "point 3"]
     weights: Float[np.ndarray, "6 3 point"]
@@ -195,9 +198,10 @@ def candidate_rows(
     count, points = len(centres_mm), len(body.points_mm)
     each = np.broadcast_to(axes, (count, 3, 3))
     local = body.weights.reshape(2, 3, 3, -1)
-    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point, s strain;
-    # i and j own axes in the object's frame
+    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point;
+    # i and j axes of the object's frame
     moved = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
+    # s strain, which stays in the body's own frame; m own axis of u, j that of the object's frame
     strained = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
     weights = np.concatenate([moved.reshape(count, 6, 3, -1), strained], axis=1)
     skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(each, 1, 2)

@@ -69,7 +69,9 @@ def traction_response(
     frames = {frame.number: frame for frame in face_frames(spec)}
     for number in set(faces):
         require_flat(frames[number])
-    surfaces = {number: refined_surface(system, spec, frames[number]) for number in set(faces)}
+    surfaces = {
+        number: refined_surface(system, spec, frames[number], mesh.magnets) for number in set(faces)
+    }
     centre = np.zeros(2)
     spreads = [
         spread_cells(surfaces[n][0], group, centre) for n, group in zip(faces, groups, strict=True)
@@ -103,13 +105,15 @@ def traction_response(
 
 
 def refined_surface(
-    system: ElasticSystem, spec: ObjectSpec, frame: FaceFrame
+    system: ElasticSystem, spec: ObjectSpec, frame: FaceFrame, magnets: int
 ) -> tuple[RefinedFace, sp.csc_matrix]:
     surface, moments = face_surface(system.space, face_facets(system.mesh, spec, frame), frame)
     unused = np.zeros((0, 0))
     hats = hat_patches(surface)
     narrowing = hat_narrowing(surface)
-    around, bases = Delaunay(surface.xy_mm), rigid_bases(spec, frame, surface, hats)
+    around = Delaunay(surface.xy_mm)
+    # a shell without magnets has nothing rigid close under a face
+    bases = rigid_bases(spec, frame, surface, hats) if magnets else ()
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     face = RefinedFace(
         frame, surface, frame.number, hats, unused, narrowing, around, elastic, bases

@@ -1,10 +1,10 @@
 """Sparse direct solver, the one seam to it: symmetric indefinite solve and Schur complement.
 
-PARDISO (MKL, x86) factors the saddle-point matrix and, bordered by all loads, returns the dense
-compliance Lᵀ A⁻¹ L as a Schur complement within the same factorization: on the paper's cube that
+PARDISO (MKL, x86) factors the saddle-point matrix. Bordered by all loads, it returns the dense
+compliance Lᵀ A⁻¹ L as a Schur complement within the same factorization. On the paper's cube that
 costs 2 s more than the factorization alone, where solving each load would cost 25 s. Where no MKL
-is found, on ARM and Apple's computers, `fem.linear.multifrontal` does the same in 2.4 to 3.6
-times the processor time, with results that agree to 1e-12; SciPy's SuperLU takes what is not
+is found, on ARM and Apple's computers, `fem.linear.multifrontal` does the same. It takes 2.4 to 3.6
+times the processor time, with results that agree to 1e-12. SciPy's SuperLU takes what is not
 quasi-definite.
 """
 
@@ -18,7 +18,7 @@ import importlib.util
 import os
 import platform
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import scipy.sparse as sp
@@ -26,6 +26,7 @@ import scipy.sparse.linalg
 from jaxtyping import Bool, Float, Int32
 from scipy.linalg import get_lapack_funcs
 
+from design.processes import load_library
 from fem.linear.multifrontal import SingularSystemError, eliminate
 from fem.linear.sparse import block_matrix, columns_of, rows_of, shape_of, upper_triangle
 
@@ -108,7 +109,40 @@ def solve_symmetric(
         return factor.solve(right_sides)
 
 
-class Factorization:
+_Held = TypeVar("_Held", bound="_HeldFactor")
+
+
+class _HeldFactor:
+    """A factor in memory until it is released; a context that releases it at its end."""
+
+    _solver: Any
+
+    def release(self) -> None:
+        """Give the memory of the factor back; nothing can be solved afterwards."""
+        if isinstance(self._solver, Pardiso):
+            self._solver.release()
+        self._solver = None
+
+    def __enter__(self: _Held) -> _Held:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+    def _unreleased(self) -> Any:
+        """Return the solver.
+
+        Raises
+        ------
+        ValueError
+            It was released.
+        """
+        if self._solver is None:
+            raise ValueError("the factorization was released. Solve inside its context")
+        return self._solver
+
+
+class Factorization(_HeldFactor):
     """A symmetric, possibly indefinite matrix A, factored once and solved as often as needed.
 
     Use it as a context: the factor (1 GB for the default mesh) is given back at its end.
@@ -122,31 +156,17 @@ class Factorization:
     """
 
     def __init__(self, matrix: sp.csr_matrix, single: bool = False) -> None:
-        self._solver: Any = solver_of(matrix, single)
+        self._solver = solver_of(matrix, single)
         self.negative_pivots: int = getattr(self._solver, "negative_pivots", -1)
         self.unknowns = shape_of(matrix)[0]
 
     def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
         """x of A x = b for every column b."""
-        if self._solver is None:
-            raise ValueError("the factorization was released. Solve inside its context")
-        return self._solver.solve(right_sides)
-
-    def release(self) -> None:
-        """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, Pardiso):
-            self._solver.release()
-        self._solver = None
-
-    def __enter__(self) -> Factorization:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
+        return self._unreleased().solve(right_sides)
 
 
-class LoadedFactor(Factorization):
-    """Factorization of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
+class LoadedFactor(_HeldFactor):
+    """Factor of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
 
     Costs no more time than the compliance alone, but its memory (1.5 GB for the default mesh) until it is
     released; use it as a context. `compliance` equals `compliance_of_loads`. Loads act on
@@ -161,7 +181,6 @@ class LoadedFactor(Factorization):
 
     def __init__(self, matrix: sp.csr_matrix, loads: sp.csr_matrix) -> None:
         self._loads = shape_of(loads)[1]
-        self._solver: Any
         if not pardiso_available():
             self._solver = eliminate(*_bordered(matrix, loads))
             self.compliance = Compliance(-self._solver.schur, self._solver.negative_pivots)
@@ -180,9 +199,7 @@ class LoadedFactor(Factorization):
 
     def solve(self, weights: Float[np.ndarray, "load m"]) -> Float[np.ndarray, "n m"]:
         """x of A x = L w for every column w: backward substitution from the loads alone."""
-        if self._solver is None:
-            raise ValueError("the factorization was released. Solve inside its context")
-        extended = self._solver.extend_kept(-np.asarray(weights, float))
+        extended = self._unreleased().extend_kept(-np.asarray(weights, float))
         return extended[: len(extended) - self._loads]
 
 
@@ -232,7 +249,7 @@ def _mkl_library() -> Any:
     """
     for file in _files_of("mkl"):
         if "mkl_rt" in file.name:
-            return ctypes.CDLL(str(file.locate()))
+            return load_library(str(file.locate()))
     from pypardiso import PyPardisoSolver
 
     return PyPardisoSolver().libmkl

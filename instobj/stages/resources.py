@@ -35,9 +35,11 @@ _LOADS_PER_CELL = 1.25
 _BYTES = 8
 _COPIES = 3
 """An array, what it is made from, and a copy on the way to its file."""
-_MODES_PER_LOAD, _NODES_OF_CANDIDATE = 0.5, 330
-"""Modes of a face's presses for each of its loads, and nodes that a candidate's motion is read from: the
-paper's cube has 330 modes of 656 loads."""
+_MODES_PER_LOAD, _READ_BY_CANDIDATE = 0.5, 330
+"""Modes of a face's presses for each of its loads, and displacements that a candidate's motion is read from:
+the paper's cube has 330 modes of 656 loads."""
+_ROWS_WHILE_MADE = 4.4
+"""Copies of a face's rows in double precision while they are made (600 candidates of a cube)."""
 _ADAM_COPIES = 4
 """Weights, gradients and two moments."""
 _LARGEST_SHARE = 0.9
@@ -143,9 +145,11 @@ def _candidates(spec: ObjectSpec) -> Need:
     modes = _MODES_PER_LOAD * _face_loads(spec) / faces
     # six motions of single precision: of all faces' presses, and three copies of one face's
     motions = _BYTES / 2 * 6 * count * modes * (faces + _COPIES)
-    # rows of six motions and five strains, in single precision
-    rows = _BYTES / 2 * 11 * count * _NODES_OF_CANDIDATE
-    return Need(_response(spec).gib + (motions + rows) / _GIB, _MESH_KEYS)
+    # rows of six motions and five strains, in single precision, and their columns
+    rows = _BYTES / 2 * (11 + 1) * count * _READ_BY_CANDIDATE
+    # before there are motions, rows are made in double precision, face by face
+    made = _ROWS_WHILE_MADE * _BYTES * 11 * count / faces * _READ_BY_CANDIDATE
+    return Need(_response(spec).gib + (rows + max(motions, made)) / _GIB, _MESH_KEYS)
 
 
 def _face_loads(spec: ObjectSpec) -> float:

@@ -1,8 +1,11 @@
 """Candidate motions: against direct solves and magnets in the mesh; interpolation; files."""
 
+from threading import get_ident
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from threadpoolctl import threadpool_info, threadpool_limits
 
 from design.errors import InputError
 from design.layout.body import face_frames
@@ -10,7 +13,7 @@ from design.layout.places.contact_grid import press_lattice
 from design.spec.object import ContactGridSpec, ScoreSpec
 from design.spec_io import parse_spec
 from fem.candidates.cubic_convolution import axis_weights
-from fem.candidates.motions import candidate_lattices, load_candidates
+from fem.candidates.motions import MOTIONS_FILE, candidate_lattices, load_candidates
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
 from fem.candidates.rigid_body import candidate_rows, tied_magnets
@@ -57,6 +60,26 @@ def test_a_run_that_was_broken_off_goes_on_from_the_faces_that_it_had(
     again = simulate(*parts, tmp_path, **options)
     assert all(path.stat().st_mtime_ns == then for path, then in kept.items())
     np.testing.assert_array_equal(again.by_candidate, table.by_candidate)
+
+
+def test_results_are_the_same_bytes_whatever_threads_linear_algebra_has(
+    cube, spec, lattices, table, folder, tmp_path
+):
+    """It takes one throughout. What is being done is said by the thread that asked."""
+    said = set()
+
+    def note(text):
+        linear_algebra = [lib for lib in threadpool_info() if lib["user_api"] == "blas"]
+        said.add((get_ident(), frozenset(lib["num_threads"] for lib in linear_algebra)))
+
+    with threadpool_limits(2, "blas"):
+        simulate(spec, cube.mesh, cube.response, lattices, tmp_path, (0.5, 1.0), note)
+    assert said == {(get_ident(), frozenset({1}))}
+    motions = [(path / MOTIONS_FILE).read_bytes() for path in (folder, tmp_path)]
+    assert motions[0] == motions[1]
+    again = load_candidates(tmp_path)
+    for name in ("presses", "force_n", "strain"):
+        assert getattr(again, name).tobytes() == getattr(table, name).tobytes()
 
 
 @pytest.fixture(scope="module")

@@ -91,11 +91,11 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
     monkeypatch.setattr(
         traction,
         "refined_surface",
-        lambda system, spec, frame: (frame.number, moments[frame.number]),
+        lambda system, spec, frame, magnets: (frame.number, moments[frame.number]),
     )
     monkeypatch.setattr(traction, "spread_cells", spread_cells)
     monkeypatch.setattr(traction, "condensed_compliance", condensed)
-    found = traction.traction_response.__wrapped__(SPEC, None, [5, 3], groups)
+    found = traction.traction_response.__wrapped__(SPEC, SimpleNamespace(magnets=2), [5, 3], groups)
     (loads,) = asked
     for direction in range(3):
         columns = loads[:, 5 * direction : 5 * direction + 5]

@@ -73,7 +73,7 @@ def test_the_core_bears_what_the_indenter_presses(rigid_system, rigid_spec, coar
     from fem.contact.traction import refined_surface, traction_loads
 
     frame = next(frame for frame in face_frames(rigid_spec) if frame.number == 3)
-    face, moments = refined_surface(rigid_system, rigid_spec, frame)
+    face, moments = refined_surface(rigid_system, rigid_spec, frame, coarse_mesh.magnets)
     cells = Patches(np.array([0.7, 0.4]), np.array([[4.0, -6.0], [4.9, -5.2]]), np.full(2, 0.05))
     spread = spread_cells(replace(face), cells, np.zeros(2))
     for direction, axis in enumerate((-frame.normal, frame.x, frame.y)):
