@@ -107,7 +107,7 @@ def without_noise(scan: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
     return smooth, float(moved.max())
 
 
-def what_scans_have(surface: trimesh.Trimesh) -> str:
+def traits_of_scan(surface: trimesh.Trimesh) -> str:
     """Say what a file's surface has that scans have and drawn bodies lack, noise or axes askew; or nothing.
 
     It lies askew where its tightest box is clearly smaller than that along x, y and z, or where its axes of

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.body.castable import castable_body, what_scans_have
+from design.body.castable import castable_body, traits_of_scan
 from design.body.imported import body_of_file, read_surface
 from design.body.kinds.registry import KINDS
 from design.body.sampled import measured_distance_mm
@@ -89,7 +89,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         return request, ""
     file = dict(request.file)
     scan = read_surface(file["file"], file["scale"])
-    why = what_scans_have(scan)
+    why = traits_of_scan(scan)
     if not why:
         needed_mm, usual_mm = _needed_mm(request), SHELL_VARIANTS[0].thickness_mm
         thickest_mm = float(np.clip(_THICK * min(request.size_mm), usual_mm, _THICKEST_MM))

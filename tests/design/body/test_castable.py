@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from design.body.castable import castable_body, noise_mm, what_scans_have, without_noise
+from design.body.castable import castable_body, noise_mm, traits_of_scan, without_noise
 from design.body.imported import read_surface
 from design.body.meshes import boolean_of, distance_mm
 
@@ -104,10 +104,10 @@ def test_halves_part_at_the_seam_without_hooking(scan):
 def test_a_scan_that_lies_askew_is_known():
     straight = trimesh.creation.cylinder(20, 90, sections=96).subdivide_to_size(4.0)
     assert len(straight.vertices) > 1000
-    assert what_scans_have(straight) == ""
-    assert "askew" in what_scans_have(turned_askew(straight.copy()))
+    assert traits_of_scan(straight) == ""
+    assert "askew" in traits_of_scan(turned_askew(straight.copy()))
     drawn = turned_askew(trimesh.creation.cylinder(20, 90))
-    assert what_scans_have(drawn) == "", "a drawn one is as meant"
+    assert traits_of_scan(drawn) == "", "a drawn one is as meant"
 
 
 PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from design.body.castable import noise_mm, what_scans_have
+from design.body.castable import noise_mm, traits_of_scan
 from design.body.kinds.registry import KINDS
 from design.errors import InputError, InstobjError
 from design.fabrication.check import Checked, check_fabrication
@@ -526,7 +526,7 @@ def test_a_noisy_scan_is_designed_smooth(tmp_path):
     castable = tmp_path / "mine_castable.stl"
     assert [dict(request.file)["file"] for request in asked] == [str(castable)]
     assert noise_mm(trimesh.load_mesh(castable)) < 0.02
-    assert what_scans_have(trimesh.load_mesh(castable)) == ""
+    assert traits_of_scan(trimesh.load_mesh(castable)) == ""
     assert (tmp_path / "scan.stl").read_bytes() == written
 
 
