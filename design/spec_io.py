@@ -16,6 +16,7 @@ from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
+from design.layout.body import face_frames
 from design.layout.places.fractions import with_places_in_mm
 from design.spec.base import complaints
 from design.spec.body import BodySpec, ShellSpec
@@ -213,6 +214,13 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
         require_fit(spec, table)
     except ValueError as error:
         raise SpecError(str(error)) from None
+    # a rigid rectangle lies on flat faces with straight borders alone
+    flat = [frame for frame in face_frames(spec) if frame.flat and not frame.round]
+    if spec.inversion.probes == "flat" and not flat:
+        raise SpecError(
+            'inversion.probes = "flat" needs a flat sensed face with straight borders; this body has none. '
+            'Set it to "free"'
+        )
     return spec
 
 

@@ -62,7 +62,7 @@ OPTIONS = {
     "rig --turn": "--middle X,Y,Z,TURN",
     "score --body": "--also jaw",
     "score --shear": "--also shear",
-    "train --on": "nothing; then instobj predict contacts.nc DATA",
+    "train --on": "instobj train DATA, then instobj predict contacts.nc OTHER",
     "train --start": "--twin SPEC, or instobj train SPEC (no presses)",
     "store --older-than": "--free 30d",
     "validate --exchanges": "nothing: nulls have 19 permutations",

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.errors import InputError
 from design.spec.object import LARGEST_SEED
 from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
@@ -49,11 +48,6 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     from estimator.inversion.storage import save_inversion
     from fem.presses.jaws import coverable_faces, jaw_faces
 
-    flat = coverable_faces(context.spec)
-    if context.spec.inversion.probes == "flat" and not flat:
-        raise InputError(
-            'inversion.probes = "flat" needs a flat sensed face; this body has none. Set it to "free"'
-        )
     forces, motions = context.read(PRESSES)
     signals = context.read(SIGNALS)
     context.step("error of the design within its tolerances")
@@ -63,6 +57,7 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     context.step("tables of presses")
     tips = inversion(context.spec, forces, motions, signals, error, modulus, shear)
     context.step("faces for jaws")
+    flat = coverable_faces(context.spec)
     jaws = jaw_faces(context.spec, context.read(RESPONSE), flat) if flat else ()
     save_inversion(replace(tips, jaw_tables=jaws), INVERSION.path(folder))
 
