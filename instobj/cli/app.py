@@ -229,7 +229,7 @@ for _commands in (cli_search, cli_estimators, cli_presses, cli_recorded):
     app.add_typer(_commands.app)
 bench = typer.Typer(cls=Bench, help="Boards, machines and built objects.", no_args_is_help=True)
 app.add_typer(bench, name="bench", rich_help_panel=MEASURE)
-add_renamed(app)
+add_renamed(app, score)
 
 
 def main() -> None:

@@ -57,15 +57,29 @@ def train(
     if export:
         if twin or overrides:
             raise InputError("--export trains nothing: leave out --twin and --set")
-        from instobj.commands.predict import export_models
-
-        show(export_models(sources, out), as_json)
+        export_trained(sources, out, as_json)
         return
     out = out or HERE
     from instobj.commands.run import run_estimator
 
     stages = ("networks", "metrics")
     show(run_estimator(sources, stages, out, overrides or [], twin), as_json)
+
+
+def export_trained(
+    models: Annotated[
+        list[Path],
+        typer.Argument(help="Trained estimators (face_<n>.safetensors), or their folder."),
+    ],
+    out: Annotated[
+        Path | None, typer.Option(help="Folder of the files (default: beside each model).")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Trained estimators as ONNX files with scaling, units and channel order inside."""
+    from instobj.commands.predict import export_models
+
+    show(export_models(models, out), as_json)
 
 
 @app.command(rich_help_panel=MEASURE)

@@ -1,20 +1,29 @@
-"""Names of commands and options before 0.2.0, for one release: errors that say what to write."""
+"""Names of commands before 0.2.0: hidden, for one release, with the name that took their place."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any
 
 import typer
 
 from design.errors import InputError
+from instobj.cli.bench import NAMES, run_on_bench
+from instobj.cli.estimators import export_trained, train
+from instobj.cli.options import HERE, TARGETS, AsJson, Out, Overrides, Specs, Workers, run_to
 
-_CHAIN = ("mesh", "compliance", "identify", "robustness", "report")
-_BENCH = ("bringup", "collect", "firmware", "live", "material", "rig", "selftest")
-COMMANDS = {
-    **{name: f"instobj run SPEC --to {name}" for name in _CHAIN},
-    **{name: f"instobj bench {name}" for name in _BENCH},
-    "simulate": "instobj run SPEC --to presses",
-    "evaluate": "instobj train",
-    "export": "instobj train --export",
-    "compare": "instobj score A.toml B.toml",
+CHAIN = {
+    "mesh": "mesh",
+    "simulate": "presses",
+    "compliance": "compliance",
+    "identify": "identify",
+    "robustness": "robustness",
+    "report": "report",
+}
+"""Old command → its value of `run --to`."""
+
+GONE = {
     "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
@@ -27,7 +36,7 @@ COMMANDS = {
     "interfaces": "instobj docs measured/validation (the study's figures stand there)",
     "conventions": "instobj adopt RECORDING --spec SPEC (order and axes of chips)",
 }
-"""Command before 0.2.0, or an option that is asked for as one → what to write."""
+"""Old commands whose arguments changed, and an option that is asked for as a command → what to write."""
 
 OPTIONS = {
     "--address": "--page ADDRESS:PORT",
@@ -72,17 +81,62 @@ OPTIONS = {
 }
 """Options before 0.2.0, of one command where it is named → what to write instead, or what holds now."""
 
+ANYTHING = {"allow_extra_args": True, "ignore_unknown_options": True}
+"""Settings of a command that takes whatever stands behind it."""
 
-def add_renamed(app: typer.Typer) -> None:
+
+def add_renamed(app: typer.Typer, score: Callable[..., None]) -> None:
     """Add every old name to the command line, hidden."""
-    takes_anything = {"allow_extra_args": True, "ignore_unknown_options": True}
-    for name in COMMANDS:
-        command = app.command(
-            name, hidden=True, add_help_option=False, context_settings=takes_anything
-        )
-        command(_refuse)
+    for name, target in CHAIN.items():
+        app.command(name, hidden=True)(_said(_chain(target), name, f"run --to {target}"))
+    for name in NAMES:
+        command = app.command(name, hidden=True, add_help_option=False, context_settings=ANYTHING)
+        command(_bench_command(name))
+    app.command("evaluate", hidden=True)(_said(train, "evaluate", "train"))
+    app.command("export", hidden=True)(_said(export_trained, "export", "train --export"))
+    app.command("compare", hidden=True)(_said(score, "compare", "score"))
+    for name, instead in GONE.items():
+        app.command(name, hidden=True, context_settings=ANYTHING)(_refusal(name, instead))
 
 
-def _refuse(context: typer.Context) -> None:
-    name = str(context.info_name)
-    raise InputError(f"`instobj {name}` is no command. Write: {COMMANDS[name]}")
+def _said(command: Callable[..., None], old: str, new: str) -> Callable[..., None]:
+    """The command of the new name, which says so first."""
+
+    @wraps(command)
+    def renamed(*arguments: Any, **options: Any) -> None:
+        _say(old, new)
+        command(*arguments, **options)
+
+    return renamed
+
+
+def _say(old: str, new: str) -> None:
+    typer.echo(f"warning: `instobj {old}` is now `instobj {new}`", err=True)
+
+
+def _chain(target: str) -> Callable[..., None]:
+    def command(
+        specs: Specs,
+        workers: Workers = "1",
+        out: Out = HERE,
+        as_json: AsJson = False,
+        overrides: Overrides = None,
+    ) -> None:
+        run_to(TARGETS[target], specs, out, as_json, overrides, workers)
+
+    return command
+
+
+def _bench_command(name: str) -> Callable[..., None]:
+    def command(context: typer.Context) -> None:
+        _say(name, f"bench {name}")
+        run_on_bench(context, name)
+
+    return command
+
+
+def _refusal(old: str, instead: str) -> Callable[..., None]:
+    def command(context: typer.Context) -> None:
+        raise InputError(f"`instobj {old}` is no command. Write: {instead}")
+
+    return command

@@ -284,7 +284,7 @@ def test_a_change_of_a_sensor_reruns_no_mechanics(folder, first):
 
 
 def test_a_data_set_of_the_run_trains_like_a_recorded_one(folder, first):
-    arguments = ("train", "runs/small/frames.nc", "--set", "training.epochs=3", "--json")
+    arguments = ("evaluate", "runs/small/frames.nc", "--set", "training.epochs=3", "--json")
     done = run(*arguments, cwd=folder)
     assert done.returncode == 0, done.stderr
     (_, short), (title, rows) = list(_document(done)["summary"].items())[:2]

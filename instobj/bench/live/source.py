@@ -96,7 +96,7 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
         )
     spec = load_spec(options.spec, list(options.overrides))
     if options.model is not None and not options.model.is_file():
-        raise InputError(f"no model at {options.model}. `instobj train SPEC` makes contacts.nc")
+        raise InputError(f"no model at {options.model}. `instobj train SPEC` makes one")
     for port in filter(None, (given.port, given.load_port)):
         require_port(port, given.baud)
     chunks, readings, zeroing = _opened(given, options.zeroing)
