@@ -66,10 +66,11 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
     play, half = spec.printer.clearance_mm, sheet_half_mm(frame, pockets)
     sheet = _sheet(frame, half, (play, play + PLATE_MM))
     tools = [_hole(frame, pocket, play) for pocket in pockets]
-    places = mark_places(spec, pockets, half)
+    corner = np.asarray(half) * (0.5**0.5 if frame.round else 1.0)
+    # marks keep to the rectangle within a round rim, or next to it
+    places = mark_places(spec, pockets, (float(corner[0]), float(corner[1])))
     for place, polarity in zip(places, spec.magnets.polarities, strict=True):
         tools += _mark(frame, place, polarity, play + PLATE_MM)
-    corner = np.asarray(half) * (0.5**0.5 if frame.round else 1.0)
     tools.append(_rod(frame, corner, NOTCH_MM))
     part = trimesh.boolean.difference([sheet, *tools], engine="manifold")
     turned = np.eye(4)

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
@@ -99,3 +100,21 @@ def test_a_sheet_as_large_as_its_face_keeps_within_what_is_known_of_the_surface(
         assert inside.sum(axis=1).max() <= 1
         beyond += int(np.sum((share**2).sum(axis=1) > 1))
     assert beyond > 0, "the rim itself is on the border, to rounding"
+
+
+def test_marks_keep_off_a_round_rim():
+    """The second bars of + are what templates of − have more; a rim beyond them is 1.25 mm wide at least."""
+    places = [[0, 0], [27.7, 8.2], [-27.7, 8.2], [-27.7, -8.2], [27.7, -8.2]]
+    plus, minus = (
+        parsed("ellipsoid", [95.0, 50.0, 194.0], [3], positions_mm=places, north=[north] * 5)
+        for north in ("outward", "inward")
+    )
+    bars = trimesh.boolean.difference(
+        [make_curved_template(minus, 3), make_curved_template(plus, 3)], engine="manifold"
+    )
+    ((frame, pockets),) = pockets_by_face(plus)
+    half = np.array(sheet_half_mm(frame, pockets))
+    ring = np.column_stack([np.cos(angle := np.linspace(0, 2 * np.pi, 400)), np.sin(angle)]) * half
+    ends = np.asarray(bars.vertices)[:, :2]
+    assert np.linalg.norm(ends / half, axis=1).max() < 1
+    assert np.linalg.norm(ends[:, None] - ring, axis=2).min() > 1.25
