@@ -76,9 +76,8 @@ def noise_mm(surface: trimesh.Trimesh) -> float:
     """
     from trimesh.smoothing import laplacian_calculation
 
-    neighbours = laplacian_calculation(
-        surface
-    )  # rows that take the mean over a corner's neighbours
+    # rows that take the mean over a corner's neighbours
+    neighbours = laplacian_calculation(surface)
     corners = np.asarray(surface.vertices)
     # a corner's height is the component of its offset along its normal
     heights = np.sum((corners - neighbours @ corners) * surface.vertex_normals, axis=1)

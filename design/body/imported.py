@@ -109,14 +109,10 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         surface.update_faces(surface.unique_faces())
         done += _weld(surface)
     if not surface.is_watertight:
-        faces_before, unfilled = len(surface.faces), surface.copy()
-        trimesh.repair.fill_holes(surface)
-        if len(surface.faces) > faces_before:
-            done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
-        done += [] if surface.is_watertight else _cover_holes(surface)
-        _require_closed(surface, path)
+        unfilled = surface.copy()
+        done += _fill_holes(surface)
         # each triangle of a soup gets one more on its back, and both enclose nothing
-        if not _solid_pieces(surface):
+        if not surface.is_watertight or not _solid_pieces(surface):
             _require_closed(unfilled, path)
     if not surface.is_winding_consistent or surface.volume < 0:
         trimesh.repair.fix_normals(surface)
@@ -161,26 +157,28 @@ def _weld(surface: trimesh.Trimesh) -> list[str]:
     return [f"welded {len(corners) - len(first)} corners within {_WELD_MM:g} mm of others"]
 
 
-def _cover_holes(surface: trimesh.Trimesh) -> list[str]:
-    """Close holes up to `_WIDEST_HOLE` wide by triangles to their middles, in place; return in words how wide
-    the widest was."""
+def _fill_holes(surface: trimesh.Trimesh) -> list[str]:
+    """Close holes up to `_WIDEST_HOLE` wide, in place; return in words by how many triangles, how wide."""
+    import pyvista
     import trimesh
 
-    _, first, count = np.unique(surface.edges_sorted, axis=0, return_index=True, return_counts=True)
-    edges = surface.edges[first[count == 1]]
-    corners, widths = np.asarray(surface.vertices), list[float]()
-    faces, middles = [np.asarray(surface.faces)], [corners]
-    loops = trimesh.graph.connected_component_labels(edges, len(corners))[edges[:, 0]]
-    for loop in np.unique(loops):
-        rim = edges[loops == loop]
-        widths.append(float(np.ptp(corners[rim[:, 0]], axis=0).max()))
-        middle = np.full(len(rim), len(corners) + len(widths) - 1)
-        faces.append(np.column_stack([rim[:, ::-1], middle]))
-        middles.append(corners[rim[:, 0]].mean(axis=0, keepdims=True))
-    if max(widths, default=np.inf) > _WIDEST_HOLE * min(surface.extents):
+    faces_open = len(surface.faces)
+    # a hole is as large as the sphere round its box: half the diagonal, w/√2 of one w wide
+    largest_mm = _WIDEST_HOLE * min(surface.extents) / 2**0.5
+    open_surface = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    closed = open_surface.fill_holes(largest_mm)
+    faces = closed.faces.reshape(-1, 4)[:, 1:]
+    if len(faces) == faces_open:
         return []
-    surface.vertices, surface.faces = np.concatenate(middles), np.concatenate(faces)
-    return [f"covered {len(widths)} holes, up to {max(widths):.2g} mm wide"]
+    surface.vertices, surface.faces = np.asarray(closed.points, float), faces
+    trimesh.repair.fix_winding(surface)
+    sides = np.diff(
+        surface.triangles[faces_open:], axis=1, append=surface.triangles[faces_open:, :1]
+    )
+    widest_mm = np.linalg.norm(sides, axis=2).max()
+    return [
+        f"closed small holes with {len(faces) - faces_open} triangles, up to {widest_mm:.2g} mm wide"
+    ]
 
 
 def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
@@ -193,9 +191,8 @@ def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     from design.body.meshes import simplified
 
     closed = simplified(surface, _WELD_MM)
-    return (
-        closed if len(closed.faces) else surface
-    )  # which Manifold does not take: it crosses itself
+    # nothing is left of a surface that crosses itself, which Manifold does not take
+    return closed if len(closed.faces) else surface
 
 
 def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:

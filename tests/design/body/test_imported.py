@@ -221,6 +221,22 @@ def test_what_can_be_repaired_is_with_a_warning(tmp_path, change, told):
     assert_allclose(found["size_mm"], SIZE, rtol=1e-5)
 
 
+def test_a_wide_hole_is_closed_flat(tmp_path):
+    """A ball that stood on a table: a cap 2.5 mm high is gone, its hole 24 mm wide."""
+    ball = trimesh.creation.icosphere(4, 30)
+    ball.update_faces(ball.triangles[:, :, 2].max(axis=1) > -27.5)
+    ball.export(tmp_path / "ball.stl")
+    with pytest.warns(
+        UserWarning, match=r"closed small holes with \d+ triangles, up to 2\d mm wide"
+    ):
+        closed = read_surface(str(tmp_path / "ball.stl"))
+    assert closed.is_watertight
+    assert closed.is_winding_consistent
+    cap = np.pi * 2.5**2 * (30 - 2.5 / 3)
+    assert closed.volume == pytest.approx(4 / 3 * np.pi * 30**3 - cap, rel=5e-3)
+    assert closed.extents[2] == pytest.approx(57.5, abs=1.0)
+
+
 def test_a_triangle_of_no_height_that_closes_a_side_is_no_hole(tmp_path):
     """One edge is split on one of its sides; its twin on the other side stays whole."""
     box = trimesh.creation.box(SIZE)
