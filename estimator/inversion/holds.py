@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from jaxtyping import Bool, Float, Int
 from scipy.linalg import solve_triangular
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from estimator.inversion.problems import BLIND
 
@@ -59,8 +59,10 @@ class HeldDrift:
     _covariance: Float[np.ndarray, "drift_and_held drift_and_held"] = field(
         default_factory=lambda: np.zeros((0, 0))
     )
-    _lately: Float[np.ndarray, "time channel"] = field(default_factory=lambda: np.zeros((3, 0)))
-    _spread: Float[np.ndarray, "time"] = field(default_factory=lambda: np.zeros(3))
+    _lately: Float[np.ndarray, "time channel"] = field(
+        default_factory=lambda: np.zeros((len(_TIMES_S), 0))
+    )
+    _spread: Float[np.ndarray, "time"] = field(default_factory=lambda: np.zeros(len(_TIMES_S)))
 
     @property
     def steady(self) -> bool:
@@ -133,7 +135,7 @@ class HeldDrift:
         white = solve_triangular(factor, np.column_stack([np.nan_to_num(apart), shown]), lower=True)
         innovation, gain = white[:, 0], white[:, 1:]
         # a contact that jumped along its face, or presses otherwise after frames that were not read
-        if innovation @ innovation > chi2.isf(_CHANCE_OF_FRAME, max(1, live.sum())):
+        if innovation @ innovation > chdtri(max(1, live.sum()), _CHANCE_OF_FRAME):
             self.forget()
             return np.zeros(channels)
         drifted, held = (innovation @ gain).reshape(2, channels)
@@ -144,7 +146,7 @@ class HeldDrift:
         # what a channel drifted while it had no reading shows at once, and is no change of the contacts
         self._lately, self._read = self._lately + np.where(self._read, drifted, 0.0), live
         pattern_counts = self._lately @ self._patterns
-        most = chi2.isf(_CHANCE, pattern_counts.shape[1]) * self._spread
+        most = chdtri(pattern_counts.shape[1], _CHANCE) * self._spread
         (changed,) = np.nonzero((pattern_counts**2).sum(axis=1) > most)
         if len(changed):
             self.forget()

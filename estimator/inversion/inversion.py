@@ -229,10 +229,8 @@ class Inversion:
     def weighed(self, fit: JawFit, tips: ContactSets, log_evidence: float) -> ContactSets:
         """Return jaws in place of a frame's tips where they are far more probable; else tips, as uncertain as
         jaws make them."""
-        log_odds, jaws = (
-            fit.log_evidence - _evidence_of_all(tips, log_evidence),
-            self.jaw_reading(fit, tips),
-        )
+        jaws = self.jaw_reading(fit, tips)
+        log_odds = fit.log_evidence - _evidence_of_all(tips, log_evidence)
         if self._flat or log_odds > _SURE:
             return jaws
         return tips if log_odds < _DOUBTFUL else doubted(tips, jaws, float(expit(log_odds)))

@@ -56,7 +56,8 @@ _HOPELESS = 10.0
 _FAINT = 7.0
 """Log of the odds against a fit from which it changes no mean: one in a thousand."""
 _FALLS = 1.5
-"""Misfit that may still fall, over what a linear model says: signals bend."""
+"""Misfit that may still fall, over what a linear model says: signals bend. At 1 a finger over a corner was
+lost; at 1.5 none of 156 frames of tips and jaws was read otherwise than with all fits run to their ends."""
 
 
 @dataclass(frozen=True)
@@ -480,9 +481,10 @@ class _Problem:
         for _ in range(rounds):
             curvature = slopes @ slopes.T + self._prior
             gradient = slopes @ residual
-            falls = 0.5 * float(gradient @ np.linalg.solve(curvature, gradient))
-            if self._most_evidence(curvature, misfit - _FALLS * falls) < least:
-                break
+            if np.isfinite(least):
+                falls = 0.5 * float(gradient @ np.linalg.solve(curvature, gradient))
+                if self._most_evidence(curvature, misfit - _FALLS * falls) < least:
+                    break
             # Marquardt's scaling: damping in the parameters' own units
             damped = curvature + damping * np.diag(np.diag(curvature))
             step = np.zeros_like(pose)

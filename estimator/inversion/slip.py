@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.inversion import Inversion
@@ -109,7 +109,7 @@ def slip_at_rest(
         unknowns = unknowns + np.linalg.solve(precision, white_slopes @ residual - unknowns)
         added = _counts(model, earlier.unknowns + unknowns) - _counts(model, earlier.unknowns)
     residual = calm((frame.counts - added)[None])[0, 0]
-    if chi2.sf(residual @ residual, int(frame.readings[0]) - 6) < UNEXPLAINED:
+    if chdtrc(int(frame.readings[0]) - 6, residual @ residual) < UNEXPLAINED:
         return None
     # covariance of the unknowns as a product of a root with itself: the columns' own unknowns are N(0, 1)
     root = np.linalg.inv(np.linalg.cholesky(precision)).T
