@@ -14,7 +14,7 @@ from estimator.recordings.reading import Recording
 
 @dataclass(frozen=True)
 class RestOffsetBaseline:
-    """How well the contact case is guessed from the raw rest level alone, before any press.
+    """Share of contact cases guessed from the raw rest level alone, before any press.
 
     Nearest case mean over the training presses, judged on the test presses. Whatever an estimator
     scores on location must be read beside this: sessions, and with them places, have their own

@@ -99,7 +99,7 @@ def tiny(installed, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def told(installed, tiny):
-    """What `new` and `check` of the new object print, and a page of the docs."""
+    """Return what `new` and `check` of the new object print, and a page of the docs."""
     commands = [["new", "tiny"], ["check", "tiny.toml", *COARSE], ["docs", "recordings"]]
     python = installed / "python"
     return _run(python, "-c", CHAIN, json.dumps(commands), cwd=tiny, **THREADS).split("\f")

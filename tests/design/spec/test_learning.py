@@ -22,9 +22,9 @@ def test_tangential_forces_are_of_one_contact_at_a_time():
 
 
 def test_flat_fingers_are_refused_where_no_face_is_flat():
-    known = ["inversion.probes='flat'"]
-    assert load_spec(EXAMPLES / "paper_cube.toml", known).inversion.probes == "flat"
+    flat_fingers = ["inversion.probes='flat'"]
+    assert load_spec(EXAMPLES / "paper_cube.toml", flat_fingers).inversion.probes == "flat"
     with pytest.raises(
         SpecError, match=r'probes = "flat" needs a flat sensed face.*Set it to "free"'
     ):
-        load_spec(EXAMPLES / "ball.toml", known)
+        load_spec(EXAMPLES / "ball.toml", flat_fingers)

@@ -287,7 +287,7 @@ def test_a_level_that_is_given_is_rest_at_its_first_frame():
 
 
 def test_a_mean_of_still_frames_begins_no_earlier_than_asked():
-    """By its time: frames that pass by are in the window too, 0.6 s long."""
+    """Its time counts: frames that pass by are in the window too, 0.6 s long."""
     zero = StreamZero("rest", 8, read, level=np.zeros(6))
     for number in range(10):
         zero.update(np.full(6, 5.0) + 8 * GAIN, 0.1 * number)

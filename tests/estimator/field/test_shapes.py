@@ -105,9 +105,9 @@ def test_the_choice_says_which_model_and_why():
 def test_far_field_is_the_dipole_of_moment_polarization_times_volume(source):
     distance = 80 * source.circumscribed_radius_mm
     poses = poses_from(source, distance, 4, 40)
-    found = modelled(FieldModel(source, "multipole", 1), *poses)
+    modelled_field = modelled(FieldModel(source, "multipole", 1), *poses)
     exact = modelled(field_model(source, distance), *poses)
-    assert relative_error(found, exact).max() < 5e-4
+    assert relative_error(modelled_field, exact).max() < 5e-4
 
 
 @pytest.mark.parametrize(

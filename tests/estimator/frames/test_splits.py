@@ -169,9 +169,9 @@ def test_of_two_presses_the_spare_ones_go_to_validation_and_test_alike():
     ],
 )
 def test_members_are_shared_out_by_the_largest_remainder(count, sizes):
-    found = splits.split_parts(count)
-    assert np.bincount(found, minlength=3).tolist() == sizes
-    assert (np.diff(found) >= 0).all()
+    parts = splits.split_parts(count)
+    assert np.bincount(parts, minlength=3).tolist() == sizes
+    assert (np.diff(parts) >= 0).all()
 
 
 def test_a_press_shows_the_case_of_most_of_its_frames():

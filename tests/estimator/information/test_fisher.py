@@ -38,8 +38,8 @@ def test_bound_is_attained_by_maximum_likelihood_on_a_linear_sensor():
     error = estimate - truth
     bounds = cramer_rao_bounds(jacobian[None], SIGMA)
     position = np.sqrt(np.mean(error[:, 0] ** 2 + error[:, 1] ** 2))
-    found = [bounds.position_mm[0], bounds.force_n[0]]
-    assert_allclose(found, [position, error[:, 2].std()], rtol=0.02)
+    bounds_here = [bounds.position_mm[0], bounds.force_n[0]]
+    assert_allclose(bounds_here, [position, error[:, 2].std()], rtol=0.02)
     angle = np.linspace(0, np.pi, 181)
     spread = (error[:, :2] @ [np.cos(angle), np.sin(angle)]).std(axis=0)
     u = np.array([np.cos(angle), np.sin(angle)])[:, np.argmax(spread)]

@@ -60,8 +60,8 @@ def test_the_nearest_force_is_that_of_the_foot_on_the_nearest_curve():
     curve = np.array([[[0.0, 0], [4, 0], [8, 0]], [[0, 0], [0, 2], [3, 2]]])
     force = np.array([[0.0, 1.0, 5.0], [0.0, 2.0, 8.0]])
     points = np.array([[3.0, -1.0], [6.0, 0.5], [-1.0, -1.0], [99.0, 0.0], [0.1, 1.0], [1.0, 2.5]])
-    found = cross_face.nearest_press(points, curve, force)[0]
-    assert_allclose(found, [0.75, 3.0, 0.0, 5.0, 1.0, 4.0])
+    nearest_force_n = cross_face.nearest_press(points, curve, force)[0]
+    assert_allclose(nearest_force_n, [0.75, 3.0, 0.0, 5.0, 1.0, 4.0])
 
 
 def test_columns_of_information_are_contact_by_contact():

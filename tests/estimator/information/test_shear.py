@@ -68,10 +68,10 @@ def test_slopes_are_those_of_presses_simulated_with_a_small_pull(presses, shear)
         for side in (1, -1)
     ]
     expected = (ends[0] - ends[1]) / 2
-    found = np.einsum("fpstjc,t->fpsjc", shear.counts_per_n, pull)
+    sheared_counts = np.einsum("fpstjc,t->fpsjc", shear.counts_per_n, pull)
     scale = abs(expected).max()
     assert scale > 1
-    assert_allclose(found, expected, rtol=0, atol=2e-3 * scale)
+    assert_allclose(sheared_counts, expected, rtol=0, atol=2e-3 * scale)
 
 
 def test_jacobian_holds_the_normal_one_and_the_slopes_at_the_score_force(signals, shear):

@@ -18,18 +18,18 @@ def followed(force, rng, step_s=1.0, before_s=0, missing=slice(0)):
     """Drift that was followed (frame, channel) and drift that is, under a pattern of so many counts at each
     time; and whether it was taken for steady in the end. Contacts changed for some time `before_s`; the first
     channel has no reading in the frames `missing`."""
-    along = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
+    pattern_counts = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
     held = HeldDrift(NOISE**2 * np.eye(30), RATE)
     for second in range(before_s):
         held.drift_for(1.0)
         assert not held.is_of(np.array([1 + second // 2 % 2]))
-    before = np.sqrt(RATE * before_s) * rng.standard_normal(30)
+    earlier_drift = np.sqrt(RATE * before_s) * rng.standard_normal(30)
     steps = np.sqrt(RATE * step_s) * rng.standard_normal((len(force), 30))
-    walk = before + np.cumsum(steps, axis=0)
-    held.begin(np.array([3]), along + before, 8, PATTERN)
+    walk = earlier_drift + np.cumsum(steps, axis=0)
+    held.begin(np.array([3]), pattern_counts + earlier_drift, 8, PATTERN)
     zero, zeros = np.zeros(30), []
     for number, (drift, factor) in enumerate(zip(walk, force, strict=True)):
-        raw = drift + factor * along + NOISE * rng.standard_normal(30)
+        raw = drift + factor * pattern_counts + NOISE * rng.standard_normal(30)
         if number in range(len(force))[missing]:
             raw[0] = np.nan
         held.drift_for(step_s)
@@ -80,12 +80,14 @@ def test_a_channel_without_a_reading_is_followed_at_once_when_it_is_back():
 
 @pytest.mark.parametrize("other", [False, True])
 def test_a_contact_that_jumps_ends_the_hold_and_is_no_drift(other):
-    """By eight times the noise in every channel, in directions that the contact's patterns do not hold."""
+    """Eight times the noise in every channel, in directions that the contact's patterns do not hold."""
     rng = np.random.default_rng(3)
     zeros, walk, held = followed(np.ones(60), rng)
     jump = 8 * NOISE * rng.standard_normal(30) * other
-    along = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
-    moved = held.follow(walk[-1] + along + jump + NOISE * rng.standard_normal(30) - zeros[-1])
+    pattern_counts = 100 * PATTERN[0] / np.linalg.norm(PATTERN[0])
+    moved = held.follow(
+        walk[-1] + pattern_counts + jump + NOISE * rng.standard_normal(30) - zeros[-1]
+    )
     assert held.steady == (not other)
     assert np.any(moved) == (not other)
 
@@ -96,8 +98,8 @@ def test_what_grows_along_the_contact_s_pattern_is_no_drift(seconds, share):
     ramp = 1 + share * np.clip((np.arange(400) - 60) / seconds, 0, 1)
     zeros, walk, held = followed(ramp, np.random.default_rng(seconds))
     assert not held.steady
-    along = (zeros - walk)[-1] @ PATTERN[0] / np.linalg.norm(PATTERN[0])
-    assert abs(along) < 0.5 * 100 * share
+    wrong_counts = (zeros - walk)[-1] @ PATTERN[0] / np.linalg.norm(PATTERN[0])
+    assert abs(wrong_counts) < 0.5 * 100 * share
 
 
 def test_frames_misread_now_and_then_end_no_hold():

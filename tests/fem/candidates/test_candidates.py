@@ -168,8 +168,8 @@ def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     index = np.array([0, 17, len(lattice) - 1])
     first = sum(len(one) for one in table.candidates[: FACE - 1])
     at = lattice.xyd_mm[index]
-    found = motions_at(table, FACE, at[:, :2], at[:, 2])
-    assert_allclose(found, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
+    stored_motion = motions_at(table, FACE, at[:, :2], at[:, 2])
+    assert_allclose(stored_motion, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
 
 
 def missed(cube, table, fields, body, within=None):

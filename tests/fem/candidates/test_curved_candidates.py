@@ -167,9 +167,9 @@ def test_interpolation_is_as_good_as_on_flat_faces(spec, solved, factor, table):
     points = frame.to_object(np.column_stack([plane, -xyd[:, 2]]))
     direct = candidate_rows(system.space, points, frame.axes_at(plane), body).motions @ fields
     direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
-    found = motions_at(table, FACE, xyd[:, :2], xyd[:, 2])[row, pressed_nodes(spec)[row], 1]
+    stored_motion = motions_at(table, FACE, xyd[:, :2], xyd[:, 2])[row, pressed_nodes(spec)[row], 1]
     for part, most in ((slice(0, 3), 0.03), (slice(3, 6), 0.08)):
-        miss = np.mean((found - direct)[..., part] ** 2) / np.mean(direct[..., part] ** 2)
+        miss = np.mean((stored_motion - direct)[..., part] ** 2) / np.mean(direct[..., part] ** 2)
         assert np.sqrt(miss) < most
 
 

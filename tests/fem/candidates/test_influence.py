@@ -50,8 +50,8 @@ def test_strains_are_told_back_and_rigid_motions_are_none(cube, found):
     rows = candidate_rows(cube.space, centres, frame, body)
     for number, strain in enumerate(STRAINS):
         turned = frame @ strain @ frame.T
-        told = (rows @ nodal(cube.space, lambda x, turned=turned: x @ turned))[:, 6:]
-        assert_allclose(told, np.tile(np.eye(5)[number], (2, 1)), rtol=0, atol=1e-9)
+        strains = (rows @ nodal(cube.space, lambda x, turned=turned: x @ turned))[:, 6:]
+        assert_allclose(strains, np.tile(np.eye(5)[number], (2, 1)), rtol=0, atol=1e-9)
     still = rows @ nodal(cube.space, lambda x: np.cross([0.1, 0.2, -0.4], x) + 1.3)
     assert_allclose(still[:, 6:], 0, atol=1e-9)
 
@@ -63,8 +63,8 @@ def test_a_magnet_does_not_give_way_to_the_strain_round_it(cube, found):
     assert one.face == FACE
     for number in range(len(STRAINS)):
         rows = candidate_rows(cube.space, one.centre_mm[None], one.axes, body)
-        told = (rows @ one.field[:, number])[0, 6:]
-        assert_allclose(told, -np.eye(5)[number], rtol=0, atol=0.35)
+        strains = (rows @ one.field[:, number])[0, 6:]
+        assert_allclose(strains, -np.eye(5)[number], rtol=0, atol=0.35)
 
 
 def told_by(cube, table, body, spec, places, field):

@@ -117,8 +117,8 @@ def test_rows_weigh_displacements_in_the_body_s_own_frame(cube):
         [tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0), face_frame(cube.spec, 3).axes]
     )
     rows = candidate_rows(cube.space, centres, each, body).motions
-    found = rows @ nodal(cube.space, quadratic)
-    for centre, axes, motion in zip(centres, each, found.reshape(-1, 6), strict=True):
+    read_motion = rows @ nodal(cube.space, quadratic)
+    for centre, axes, motion in zip(centres, each, read_motion.reshape(-1, 6), strict=True):
         own = quadratic(centre + body.points_mm @ axes.T) @ axes
         c, w = np.einsum("kmp,pm->k", body.weights, own).reshape(2, 3)
         assert_allclose(motion, np.concatenate([axes @ c, axes @ w]), rtol=0, atol=1e-9)

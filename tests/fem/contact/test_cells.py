@@ -48,17 +48,17 @@ def test_large_tips_have_cells_of_1_7_mm_at_most_and_every_tip_its_own():
     large = tip_cells(IndenterSpec(kind="cuboid", size_mm=(30.0, 30.0)))
     assert_allclose(large.patches.area_mm2, (30 / 18) ** 2, rtol=1e-9)
     pair = tip_cells(IndenterSpec(kind="flat", radius_mm=2.0, tip_count=2))
-    one = tip_cells(IndenterSpec(kind="flat", radius_mm=2.0))
-    count = len(one.height_mm)
+    cells = tip_cells(IndenterSpec(kind="flat", radius_mm=2.0))
+    count = len(cells.height_mm)
     assert list(pair.tip) == [0] * count + [1] * count
-    assert_allclose(pair.patches.area_mm2, np.tile(one.patches.area_mm2, 2), rtol=1e-12)
+    assert_allclose(pair.patches.area_mm2, np.tile(cells.patches.area_mm2, 2), rtol=1e-12)
     away = pair.patches.centre_mm[count:] - pair.patches.centre_mm[:count]
     assert_allclose(np.linalg.norm(away, axis=1), 15.0, rtol=1e-12)
     middle = (pair.patches.centre_mm[count:] + pair.patches.centre_mm[:count]) / 2
-    assert_allclose(middle, one.patches.centre_mm, atol=1e-12)
+    assert_allclose(middle, cells.patches.centre_mm, atol=1e-12)
     assert_allclose(
-        moved(one.patches, np.array([1.0, -2.0])).centre_mm,
-        one.patches.centre_mm + np.array([1.0, -2.0]),
+        moved(cells.patches, np.array([1.0, -2.0])).centre_mm,
+        cells.patches.centre_mm + np.array([1.0, -2.0]),
     )
 
 

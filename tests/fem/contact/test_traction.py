@@ -42,9 +42,9 @@ def test_loads_and_motions_of_magnets_are_condensed_together():
         matrix=sp.csr_matrix(matrix), motion_basis=sp.csr_matrix(basis), space=None
     )
     mesh = SimpleNamespace(magnets=1)
-    found = traction.condensed_compliance.__wrapped__(system, mesh, sp.csr_matrix(tractions))
+    condensed = traction.condensed_compliance.__wrapped__(system, mesh, sp.csr_matrix(tractions))
     loads = np.vstack([np.hstack([basis.T @ tractions, np.eye(12)[:, -6:]]), np.zeros((2, 9))])
-    assert_allclose(found, loads.T @ np.linalg.solve(matrix, loads), atol=1e-12)
+    assert_allclose(condensed, loads.T @ np.linalg.solve(matrix, loads), atol=1e-12)
 
 
 def test_patches_of_one_face_move_each_other_on_a_half_space_those_of_others_not():
@@ -95,7 +95,9 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
     )
     monkeypatch.setattr(traction, "spread_cells", spread_cells)
     monkeypatch.setattr(traction, "condensed_compliance", condensed)
-    found = traction.traction_response.__wrapped__(SPEC, SimpleNamespace(magnets=2), [5, 3], groups)
+    response = traction.traction_response.__wrapped__(
+        SPEC, SimpleNamespace(magnets=2), [5, 3], groups
+    )
     (loads,) = asked
     for direction in range(3):
         columns = loads[:, 5 * direction : 5 * direction + 5]
@@ -112,8 +114,8 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
     share = block_diag(*[block_diag(spread[5], spread[3])] * 3)
     wide = whole[:15, :15] - half_space(SPEC, [5, 3], of_hats)
     wanted = share.T @ wide @ share + half
-    assert_allclose(found.compliance.reshape(15, 15), (wanted + wanted.T) / 2)
-    assert_allclose(found.motion.reshape(12, 15), whole[15:, :15] @ share)
+    assert_allclose(response.compliance.reshape(15, 15), (wanted + wanted.T) / 2)
+    assert_allclose(response.motion.reshape(12, 15), whole[15:, :15] @ share)
 
 
 def test_a_curved_face_knows_no_friction():

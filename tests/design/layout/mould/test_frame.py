@@ -113,7 +113,7 @@ def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
 
 @pytest.mark.parametrize(("azimuth_deg", "depth_mm"), [(0.0, 0.0), (90.0, 0.0), (45.0, 0.5**0.5)])
 def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, depth_mm):
-    """Of a box with sides of 42 and 44 mm at 45°: strips of its longer sides, 1 mm wide, lean by 45°.
+    """A box with sides of 42 and 44 mm at 45°: strips of its longer sides, 1 mm wide, lean by 45°.
 
     Whole triangles count.
     """
