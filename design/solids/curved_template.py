@@ -79,24 +79,24 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
 
 
 def sheet_half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float, float]:
-    """Half extents of the sheet: the pockets and a rim, within the face."""
+    """Half extents of the sheet: the pockets and a rim, within the face, and off its rounded edge where the
+    pockets leave room for that."""
     far = np.max([pocket.reach_mm for pocket in pockets], axis=0)
     most = _WITHIN * np.asarray(frame.half_extents_mm)
     half = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, most)
-    ring = _lattice(frame, _FEW)
-    rim, within = ring.share[ring.rim], np.max([np.hypot(*(p.reach_mm / half)) for p in pockets])
-    shares = [share for share in _SMALLER if share > within or not frame.round]
-    lean_deg = {
-        share: np.rad2deg(
-            np.arctan(np.linalg.norm(frame.relief.evaluate(share * half * rim)[1], axis=1))
-        )
-        for share in (*shares, _INNER)
-    }
-    for share in shares:
-        if np.max(lean_deg[share] - lean_deg[_INNER]) < _EDGE_DEG:
-            half = share * half
+    ring, norm = _lattice(frame, _FEW), 2 if frame.round else np.inf
+    rim, reach = ring.share[ring.rim], max(np.linalg.norm(p.reach_mm / half, norm) for p in pockets)
+    inner_deg = _lean_deg(frame, _INNER * half * rim)
+    for smaller in (share * half for share in _SMALLER if share > reach):
+        if np.max(_lean_deg(frame, smaller * rim) - inner_deg) < _EDGE_DEG:
+            half = smaller
             break
     return float(half[0]), float(half[1])
+
+
+def _lean_deg(frame: FaceFrame, places_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+    slopes = frame.relief.evaluate(places_mm)[1]
+    return np.rad2deg(np.arctan(np.linalg.norm(slopes, axis=1)))
 
 
 @dataclass(frozen=True)
