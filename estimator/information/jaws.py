@@ -1,8 +1,8 @@
-"""Cramér–Rao bounds of a flat jaw that covers a face: net force, centre of pressure, tilt.
+"""Cramér–Rao bounds of a flat jaw over a face or its middle: net force, centre of pressure, tilt, size.
 
-Its pose (depth at the face's middle, depths gained towards +x and +y) makes the signals; force and centre of
-pressure are functions of the pose, so that their bounds are G (JᵀΣ⁻¹J)⁻¹Gᵀ, J and G the derivatives of
-signals and of (force, centre) by the pose. At no tilt and `score.force_n`.
+Its pose (depth at the middle, depths gained towards +x and +y, and edges that lie on the face) makes the
+signals; what is read are functions of the pose, so that their bounds are G (JᵀΣ⁻¹J)⁻¹Gᵀ, J and G the
+derivatives of signals and of (force, centre, tilts, size) by the pose. At no tilt and `score.force_n`.
 """
 
 from __future__ import annotations
@@ -27,8 +27,13 @@ from estimator.signals.presses import Signals, press_signals
 from fem.contact.jaw import JawFace
 from fem.presses.results import MagnetMotions, PressForces
 
-_STEP = 0.05
-"""Step of depth and lean, over the depth, of central differences: contact changes where it does at all."""
+_STEP = 0.025
+"""Step of central differences, over the depth for depth and lean, over the face's half edge for an edge: a
+quarter of a cell of its compliance, so that what bears hardly changes."""
+_MIDDLE = 0.5
+"""Edges of a small jaw over those of the face: its four edges lie on the face and are unknown."""
+_FUNCTIONS = 7
+"""Functions of a pose: force, centre along x and y, tilt about x and y, size along x and y."""
 
 
 @dataclass(frozen=True)
@@ -39,14 +44,17 @@ class JawBounds:
     ----------
     face : under the jaw
     against : face under a second jaw that is unknown as well, None without one
+    covered : edges of the jaw over those of the face; below 1 all four of its edges are unknown
     depth_mm : at which the jaw bears `score.force_n`
     force_bound_n : σF
     centre_bound_mm : √(σx² + σy²) of the centre of pressure
     tilt_bound_deg : √(σ² + σ²) of the tilts about x and y
+    size_bound_mm : √(σ² + σ²) of the edges' lengths along x and y; 0 where the jaw covers the face
     """
 
     face: int
     against: int | None
+    covered: float
     depth_mm: float
     force_bound_n: float
     force_bound_drifted_n: float
@@ -54,10 +62,13 @@ class JawBounds:
     centre_bound_drifted_mm: float
     tilt_bound_deg: float
     tilt_bound_drifted_deg: float
+    size_bound_mm: float
+    size_bound_drifted_mm: float
 
 
 def jaw_bounds(spec: ObjectSpec, jaws: Sequence[JawFace]) -> tuple[JawBounds, ...]:
-    """Return the bounds of a jaw on each face, then of both jaws on each pair of opposed faces.
+    """Return the bounds of a jaw over each face, of one over the middle of each, half as long and wide, then
+    of both jaws over each pair of opposed faces.
 
     Bounds read `score.channels`, and nuisances are integrated out. Motions of two jaws add up: on the
     paper's cube that is wrong by up to 5 % of the largest motion at known forces.
@@ -65,6 +76,7 @@ def jaw_bounds(spec: ObjectSpec, jaws: Sequence[JawFace]) -> tuple[JawBounds, ..
     normal = {frame.number: np.asarray(frame.normal) for frame in face_frames(spec)}
     pressed = [_jaw_at_force(jaw, spec.score.force_n) for jaw in jaws]
     alone = [(jaw,) for jaw in pressed]
+    alone += [(_jaw_at_force(jaw, spec.score.force_n, _MIDDLE),) for jaw in jaws]
     # normals of opposed faces are each other's negative
     pairs = [
         pair
@@ -75,42 +87,51 @@ def jaw_bounds(spec: ObjectSpec, jaws: Sequence[JawFace]) -> tuple[JawBounds, ..
 
 
 class _JawAtForce(NamedTuple):
-    """A jaw at a force, and the ends of its central differences: each pose up, then each down.
+    """A jaw at a force, and the ends of its central differences: each unknown up, then each down.
 
-    `level` and `ends` (6) are motions of the magnets; `functions` (5, pose) the derivatives of force,
-    centre and tilts by the pose.
+    `level` and `ends` (6) are motions of the magnets, `steps` those of the unknowns; `functions` (7, unknown)
+    are the derivatives of force, centre, tilts and size.
     """
 
     face: int
+    covered: float
     depth_mm: float
     level: Float[np.ndarray, "magnet 6"]
     ends: Float[np.ndarray, "end magnet 6"]
-    functions: Float[np.ndarray, "5 3"]
+    steps: Float[np.ndarray, "unknown"]
+    functions: Float[np.ndarray, "7 unknown"]
 
 
-def _jaw_at_force(jaw: JawFace, force_n: float) -> _JawAtForce:
-    depth = force_n / jaw.press(np.zeros(2))[0]
-    poses = depth * np.vstack([side * _STEP * np.eye(3) for side in (1, -1)])
-    poses[:, 0] += depth
-    level = _pressed(jaw, np.array([depth, 0.0, 0.0]))[2]
-    pressed = [_pressed(jaw, pose) for pose in poses]
+def _jaw_at_force(jaw: JawFace, force_n: float, covered: float = 1.0) -> _JawAtForce:
+    edges = covered * jaw.whole_mm
+    depth = force_n / jaw.press(np.zeros(2), edges)[0]
+    pose = np.concatenate([[depth, 0.0, 0.0], edges.ravel()])
+    steps = _STEP * np.concatenate([[depth] * 3, np.repeat(jaw.half_mm, 2)])
+    # edges of a jaw that covers the face lie beyond it: not unknown
+    unknown = slice(None if covered < 1 else 3)
+    poses = np.concatenate([pose + side * np.diag(steps)[unknown] for side in (1, -1)])
+    level = _pressed(jaw, pose)[2]
+    pressed = [_pressed(jaw, ends) for ends in poses]
     felt = np.array([[force, *centre] for force, centre, _ in pressed])
-    by_pose = (felt[:3] - felt[3:]).T / (2 * _STEP * depth)
-    # a gained depth over half an edge is the tangent of the tilt
-    by_tilt = np.degrees(np.hstack([np.zeros((2, 1)), np.diag(1 / jaw.half_mm)]))
+    steps = steps[unknown]
+    by_pose = np.subtract(*np.split(felt, 2)).T / (2 * steps)
+    # a gained depth over half an edge is the tangent of the tilt; the size is high less low edge
+    by_tilt = np.hstack([np.zeros((2, 1)), np.degrees(np.diag(1 / (covered * jaw.half_mm)))])
+    geometry = block_diag(by_tilt, np.kron(np.eye(2), [-1.0, 1.0]))[:, unknown]
     ends = np.stack([motion for *_, motion in pressed])
-    return _JawAtForce(jaw.face, float(depth), level, ends, np.vstack([by_pose, by_tilt]))
+    functions = np.vstack([by_pose, geometry])
+    return _JawAtForce(jaw.face, covered, float(depth), level, ends, steps, functions)
 
 
 def _bounds_of(spec: ObjectSpec, group: Sequence[_JawAtForce]) -> list[JawBounds]:
     """Bounds of jaws that press at once, each at `score.force_n`."""
     motions = [sum(jaw.level for jaw in group) - jaw.level + jaw.ends for jaw in group]
-    depths = [jaw.depth_mm for jaw in group]
+    steps = np.stack([jaw.steps for jaw in group])
     signals = signals_of_motions(spec, np.concatenate(motions))
-    change = signals.delta_counts[0, 0].reshape(len(group), 2, 3, -1)
-    # columns: central differences by depth and the two gained depths of each jaw in turn
-    slopes = (change[:, 0] - change[:, 1]) / (2 * _STEP * np.array(depths)[:, None, None])
-    slopes = slopes.reshape(1, 3 * len(group), -1).transpose(0, 2, 1)
+    change = signals.delta_counts[0, 0].reshape(len(group), 2, steps.shape[1], -1)
+    # columns: central differences by each unknown of each jaw in turn
+    slopes = (change[:, 0] - change[:, 1]) / (2 * steps[..., None])
+    slopes = slopes.reshape(1, steps.size, -1).transpose(0, 2, 1)
     middle = change[0].mean((0, 1))[None]
     slopes = slopes * live_in_press(spec, signals.baseline_counts, middle)[..., None]
     used = np.unique(np.concatenate([read_channels(spec, signals, jaw.face) for jaw in group]))
@@ -119,16 +140,18 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[_JawAtForce]) -> list[JawBounds
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, change.shape[-1])[used]
         white = whitened_slopes(slopes[:, used], sigma, nuisances[used])[0]
-        force, x, y, *tilts = _deviations(white, functions).reshape(-1, 5).T
+        force, x, y, *turns, length, width = _deviations(white, functions).reshape(-1, _FUNCTIONS).T
         columns[f"force_bound{suffix}_n"] = force
         columns[f"centre_bound{suffix}_mm"] = np.hypot(x, y)
-        columns[f"tilt_bound{suffix}_deg"] = np.hypot(*tilts)
+        columns[f"tilt_bound{suffix}_deg"] = np.hypot(*turns)
+        columns[f"size_bound{suffix}_mm"] = np.hypot(length, width)
     faces = [jaw.face for jaw in group]
     return [
         JawBounds(
             face,
             faces[1 - number] if len(faces) == 2 else None,
-            depths[number],
+            group[number].covered,
+            group[number].depth_mm,
             **{name: float(column[number]) for name, column in columns.items()},
         )
         for number, face in enumerate(faces)
@@ -136,11 +159,11 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[_JawAtForce]) -> list[JawBounds
 
 
 def _pressed(
-    jaw: JawFace, pose_mm: Float[np.ndarray, "3"]
+    jaw: JawFace, pose: Float[np.ndarray, "7"]
 ) -> tuple[float, Float[np.ndarray, "2"], Float[np.ndarray, "magnet 6"]]:
-    """Force, centre of pressure and motions at a pose: depth at the middle, depths gained."""
-    force, centre, motion = jaw.press(pose_mm[1:] / pose_mm[0])
-    return force * pose_mm[0], centre, motion * pose_mm[0]
+    """Force, centre of pressure and motions at a pose: depth at the middle, depths gained, edges (mm)."""
+    force, centre, motion = jaw.press(pose[1:3] / pose[0], pose[3:].reshape(2, 2))
+    return force * pose[0], centre, motion * pose[0]
 
 
 def signals_of_motions(spec: ObjectSpec, motion: Float[np.ndarray, "load magnet 6"]) -> Signals:

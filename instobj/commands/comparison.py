@@ -65,7 +65,7 @@ def score_designs(
 
 
 def jaw_rows(run: Run) -> list[dict[str, Any]]:
-    """Bounds of flat jaws at `score.force_n`: one over each face, two on opposed faces; and of tips."""
+    """Bounds of jaws at `score.force_n` (each face, its middle half, opposed faces), and of tips."""
     from estimator.information.jaws import jaw_bounds
     from fem.presses.jaws import jaw_faces
 
@@ -77,14 +77,17 @@ def jaw_rows(run: Run) -> list[dict[str, Any]]:
             {
                 "face": jaw.face,
                 "against": jaw.against,
+                "covers %": 100 * jaw.covered,
                 "σ force N": jaw.force_bound_n,
                 "of tips N": float(np.median(scores.force_bound_n[index, tips])),
                 "σ centre mm": jaw.centre_bound_mm,
                 "σ place of tips mm": float(np.median(scores.position_bound_mm[index, tips])),
                 "σ tilt °": jaw.tilt_bound_deg,
+                "σ size mm": jaw.size_bound_mm,
                 "drifted N": jaw.force_bound_drifted_n,
                 "mm": jaw.centre_bound_drifted_mm,
                 "°": jaw.tilt_bound_drifted_deg,
+                "size mm": jaw.size_bound_drifted_mm,
             }
         )
     return rows

@@ -14,9 +14,11 @@ GRASP_HEADER = (
     "σ force, N",
     "σ centre, mm",
     "σ tilt, °",
+    "σ size, mm",
     "15 min later",
     "mm",
     "°",
+    "size, mm",
 )
 """Bounds of a jaw, freshly zeroed and drifted."""
 _NOTHING = (0.5, 1e-3, 1e-3)
@@ -73,14 +75,20 @@ def jaw_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
 
 
 def grasp_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
-    """Rows of `GRASP_HEADER`: a jaw alone on each face, then two on opposed faces; none on curved bodies."""
+    """Rows of `GRASP_HEADER`: jaws over faces, their middles, opposed faces; none on curved bodies."""
     return [
         (
-            f"face {jaw['face']}" + (f", another over {jaw['against']}" if jaw["against"] else ""),
+            (f"half of face {jaw['face']}" if jaw["covered"] < 1 else f"face {jaw['face']}")
+            + (f", another over {jaw['against']}" if jaw["against"] else ""),
             *(
                 _rounded(jaw[f"{name}_bound{state}_{unit}"])
                 for state in ("", "_drifted")
-                for name, unit in (("force", "n"), ("centre", "mm"), ("tilt", "deg"))
+                for name, unit in (
+                    ("force", "n"),
+                    ("centre", "mm"),
+                    ("tilt", "deg"),
+                    ("size", "mm"),
+                )
             ),
         )
         for jaw in row["jaw_bounds"]

@@ -294,7 +294,7 @@ STAGES: dict[str, Stage] = {
             *("score.channels", "score.force_n", "dents", *_ELASTIC, *_NUISANCES),
         ),
         make_surroundings,
-        version=5,
+        version=6,
     ),
     "press_curves": Stage(
         "signals: curves of presses, compliance",

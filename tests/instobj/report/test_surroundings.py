@@ -34,12 +34,14 @@ def test_the_report_has_counts_and_newtons_of_every_jaw():
 
 
 def test_a_flat_jaw_has_its_bounds_alone_and_against_another():
-    bounds = {"force_bound": "n", "centre_bound": "mm", "tilt_bound": "deg"}
-    figures = (1.2345, 3.4, 0.104, 4.2, 11.6, 0.43)
+    bounds = {"force_bound": "n", "centre_bound": "mm", "tilt_bound": "deg", "size_bound": "mm"}
+    figures = (1.2345, 3.4, 0.104, 7.4, 4.2, 11.6, 0.43, 12.5)
     names = [f"{name}{state}_{unit}" for state in ("", "_drifted") for name, unit in bounds.items()]
-    alone = {"face": 3, "against": None} | dict(zip(names, figures, strict=True))
+    alone = {"face": 3, "against": None, "covered": 1.0} | dict(zip(names, figures, strict=True))
+    part = alone | {"covered": 0.5}
     blind = alone | {"against": 5, "force_bound_n": float("inf")}
-    rows = grasp_rows({"jaw_bounds": [alone, blind]})
-    assert rows[0] == ("face 3", "1.23", "3.4", "0.104", "4.2", "11.6", "0.43")
-    assert rows[1][:2] == ("face 3, another over 5", "∞")
+    rows = grasp_rows({"jaw_bounds": [alone, part, blind]})
+    assert rows[0] == ("face 3", "1.23", "3.4", "0.104", "7.4", "4.2", "11.6", "0.43", "12.5")
+    assert rows[1][0] == "half of face 3"
+    assert rows[2][:2] == ("face 3, another over 5", "∞")
     assert grasp_rows({"jaw_bounds": []}) == []
