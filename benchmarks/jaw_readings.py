@@ -4,7 +4,10 @@
 
 Two jaws wider than the faces press opposite faces of three bodies to about five forces, under three tilts,
 with noise drawn three times. Presses are solved jointly on a mesh of their own; no table or sum is in them.
-The baseline is the same estimator without jaws: the sum of its tips on a face, and their centre. Tables come
+The baseline is the same estimator without jaws: the sum of its tips on a face, and their centre.
+
+On curved bodies one flat finger presses three places of three patches, with noise drawn three times. It is
+read by the specification's own round tip, and by a specification whose indenter is that finger. Tables come
 from the store, or are made first. Writes `jaw_readings.json`.
 """
 
@@ -20,6 +23,7 @@ from harness import Result, machine, run
 from design.spec.object import IndenterSpec, MeshSpec, ObjectSpec
 from design.spec_io import load_spec
 from estimator.information.jaws import signals_of_motions
+from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from fem.linear.response import ResponseOperator, build_response
@@ -34,6 +38,11 @@ BODIES = {
     "better_cube": ("better_cube.toml", []),
     "box 60 × 46 × 42": ("paper_cube.toml", ["body.size_mm=[60,46,42]"]),
 }
+CURVED = {"ball": "ball.toml", "capsule": "capsule.toml", "cylinder": "hall_skin.toml"}
+FINGER = ['indenter.kind="cuboid"', "indenter.size_mm=[14,14]"]
+"""Larger than what touches at the largest force here."""
+PLACES_MM = ((0.0, 0.0), (6.0, 3.0), (-8.0, 6.0))
+CURVED_FORCES_N = (2.0, 5.0, 10.0)
 FACES = (3, 5)
 FORCES_N = (5.0, 10.0, 20.0, 40.0, 80.0)
 TILTS_DEG = ((0.3, 0.0), (0.0, -0.5), (0.4, 0.4))
@@ -58,7 +67,63 @@ def measure(quick: bool) -> Result:
             rows.append(
                 {"body": body, "force_n": force_n} | _row(spec, estimator, response, force_n)
             )
-    return {"machine": machine(1, ["numpy", "scipy"]), "quick": quick, "rows": rows}
+    curved = [
+        row for body in list(CURVED)[: 1 if quick else None] for row in _curved_rows(body, quick)
+    ]
+    described = {"machine": machine(1, ["numpy", "scipy"]), "quick": quick}
+    return described | {"rows": rows, "curved": curved}
+
+
+def _curved_rows(body: str, quick: bool) -> Iterator[Result]:
+    """Errors of a flat finger on a curved body, read by a round tip and by the finger itself."""
+    path = EXAMPLES / CURVED[body]
+    readers = {name: load_spec(path, keys) for name, keys in (("tip", []), ("finger", FINGER))}
+    other = readers["finger"].changed(mesh=_OTHER_MESH)
+    response, tips = build_response(tetrahedralize(other), other), other.body.sensed[:3]
+    for force_n in CURVED_FORCES_N[1:2] if quick else CURVED_FORCES_N:
+        presses = [
+            _fingered(other, response, Tip(f, *xy), force_n) for f in tips for xy in PLACES_MM
+        ]
+        for name, spec in readers.items():
+            estimator, rng = Run(spec).read(INVERSION), np.random.default_rng(7)
+            errors = np.array(
+                [
+                    _error_of_finger(estimator.read(counts[None])[0], force_n)
+                    for press in presses
+                    for counts in _noisy(spec, press, rng)
+                ]
+            )
+            yield {
+                "body": body,
+                "read_by": name,
+                "force_n": force_n,
+                "frames": len(errors),
+                "read_as_one": float(np.mean(errors[:, 0] == 1)),
+                "explained": float(np.mean(errors[:, 1] > UNEXPLAINED)),
+                "force_ratio": np.percentile(errors[:, 2], [0, 10, 50, 90, 100]).tolist(),
+                "within_90": float(np.mean(abs(errors[:, 3]) < 1.645)),
+            }
+
+
+def _fingered(spec: ObjectSpec, response: ResponseOperator, tip: Tip, force_n: float) -> JointPress:
+    """Return one finger at the depth at which it bears a force within some per mille."""
+    depth = 0.3
+    for _ in range(2 * _SECANTS):
+        press = press_tips(spec, response, [tip], np.array([depth]))
+        # Hertz: force grows with the power 1.5 of the depth
+        depth *= float(force_n / press.force_n[0]) ** (2 / 3)
+    return press_tips(spec, response, [tip], np.array([depth]))
+
+
+def _error_of_finger(reading: ContactSets, force_n: float) -> tuple[float, ...]:
+    """Number of contacts, p value, all force over the true one, and the largest contact's error over σ."""
+    held = reading.face[0] > 0
+    if not held.any():
+        return 0, float(reading.p_value[0]), 0.0, np.inf
+    force, deviation = reading.force_n[0, held], np.sqrt(reading.covariance[0, held, 2, 2])
+    largest = force.argmax()
+    error = (force[largest] - force_n) / deviation[largest]
+    return held.sum(), float(reading.p_value[0]), float(force.sum() / force_n), float(error)
 
 
 def _row(
@@ -142,6 +207,11 @@ def report(result: Result) -> str:
         f"centre, tilt {row['force_error']}, {row['centre_mm']}, {row['tilt_deg']}; as tips "
         f"{row['tips_force_error']}, {row['tips_centre_mm']}"
         for row in result["rows"]
+    ) + "".join(
+        f"\n{row['body']} by {row['read_by']}, {row['force_n']:g} N: one in {row['read_as_one']:.0%} of "
+        f"{row['frames']}, explained {row['explained']:.0%}, force {np.round(row['force_ratio'], 2)}, within "
+        f"90 % in {row['within_90']:.0%}"
+        for row in result["curved"]
     )
 
 

@@ -219,7 +219,8 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
     if spec.inversion.probes == "flat" and not flat:
         raise SpecError(
             'inversion.probes = "flat" needs a flat sensed face with straight borders; this body has none. '
-            'Set it to "free"'
+            'Set it to "free". A flat finger on a curved face is an indenter: indenter.kind = "cuboid", '
+            "indenter.size_mm = [14, 14]"
         )
     return spec
 

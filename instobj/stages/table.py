@@ -283,7 +283,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "limits.use", "tolerances", "seed"),
         make_contact_metrics,
-        version=16,
+        version=17,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

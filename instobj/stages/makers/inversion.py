@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.layout.body import face_frames
+from design.layout.tips import tip_shape
 from design.spec.object import LARGEST_SEED
 from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
@@ -34,6 +36,11 @@ _PRESSES = 24
 """Presses that are inverted, for each number of contacts."""
 _FRAMES_A_PRESS = 8
 """Frames of each."""
+_FLAT_FINGERS = (
+    "Flat fingers on curved faces are read as too weak or as two tips, and explained: for these train with "
+    'the finger itself, --set indenter.kind=cuboid --set "indenter.size_mm=[14,14]"'
+)
+"""Measured by `benchmarks/jaw_readings.py`."""
 
 
 def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
@@ -87,6 +94,10 @@ def make_contact_metrics(context: StageContext, folder: Path) -> None:
         shape = (*frames.signal_counts.shape[1:], columns.shape[1])
         frames = with_nuisances(frames, columns.reshape(shape), spec.seed)
         judged += ", turned and warmed since its zero"
+    if tip_shape(spec.indenter).ellipsoid is not None and not all(
+        f.flat for f in face_frames(spec)
+    ):
+        judged += f", pressed by the {spec.indenter.kind}. {_FLAT_FINGERS}"
     write_contact_metrics(context.read(INVERSION), frames, judged, folder, context.step)
 
 
