@@ -301,7 +301,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         ("magnets", "sensors", "arrangement", "silicone", "protocol.peak_force_n"),
         make_press_curves,
-        version=2,
+        version=3,
     ),
     "alternatives": Stage(
         "sensitivity: what to try next",
