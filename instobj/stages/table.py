@@ -265,7 +265,7 @@ STAGES: dict[str, Stage] = {
         version=15,
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=6
     ),
     "inversion": Stage(
         "estimator: tables of the forward model",
