@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 from sklearn.gaussian_process.kernels import Matern
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin import digital_twin, discrepancy
 from estimator.calibration.twin.digital_twin import left_share, rows_of_face
@@ -90,16 +91,12 @@ def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
         asked.append(numbers)
         return None if len(asked) <= impossible else "signals"
 
-    def no_object(what):
-        return ValueError(what)
-
     twin = SimpleNamespace(
         numbers=np.array([0.5, -0.25]),
         factor=np.array([[1e-3, 0.0], [2e-3, 1e-3]]),
-        unknowns=SimpleNamespace(signals=signals, no_object=no_object),
+        unknowns=SimpleNamespace(signals=signals, face=4, spec=SimpleNamespace(name="made")),
         forces=None,
         motions=None,
-        discrepancy=SimpleNamespace(pressed=SimpleNamespace(face=4)),
         _with_discrepancy=lambda made, numbers, rng: (made, numbers),
     )
     told = digital_twin.CalibratedTwin.signals.__wrapped__
@@ -111,12 +108,12 @@ def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
         assert_allclose(numbers, draws[-1])
         assert (made, len(asked)) == ("signals", impossible + 1)
     else:
-        with pytest.raises(ValueError, match="labelled presses of face 4"):
+        with pytest.raises(InputError, match="presses of face 4 fit no object of 'made'"):
             told(twin, np.random.default_rng(7))
         assert len(asked) == 20
     asked.clear()
     if impossible:
-        with pytest.raises(ValueError, match="face 4"):
+        with pytest.raises(InputError, match="face 4"):
             told(twin, None)
     else:
         assert_allclose(told(twin, None)[1], twin.numbers)
