@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -79,7 +79,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     save_frames(frames, target)
     return {
         "command": "recordings",
-        "reports": [recording.report.as_dict() for recording in recordings],
+        "reports": [asdict(recording.report) for recording in recordings],
         "between": [vars(fault) for fault in between],
         "texts": [
             *(str(recording.report) for recording in recordings),

@@ -24,7 +24,6 @@ from instobj.store.readers import MESH, PRESS_MESH, RESPONSE
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from fem.linear.response import ResponseOperator
     from fem.presses.joint import JointPress, Tip
 
 _CURVE_STEPS = 16
@@ -68,12 +67,6 @@ def press_loads(
     )
 
 
-def response_of(run: Run) -> ResponseOperator:
-    """The response operator of the chain's specification."""
-
-    return run.read(RESPONSE)
-
-
 def joint_pressed(
     run: Run, jaws: Sequence[Sequence[Place]], force_n: float | None
 ) -> tuple[JointPress, Pressed]:
@@ -82,7 +75,7 @@ def joint_pressed(
     from fem.presses.joint import press_tips
     from fem.presses.to_force import press_to_force
 
-    spec, response = run.spec, response_of(run)
+    spec, response = run.spec, run.read(RESPONSE)
 
     def press(tips: Sequence[Tip], depths: np.ndarray) -> JointPress:
         return press_tips(spec, response, tips, depths)
@@ -246,7 +239,7 @@ def _reachable(run: Run, checked: CheckedPlaces, force_n: float) -> CheckedPlace
     good, refused = [], list(checked.refused)
     for place in checked.good:
         try:
-            press_to_force(run.spec, response_of(run), [[place.tip]], force_n)
+            press_to_force(run.spec, run.read(RESPONSE), [[place.tip]], force_n)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:
