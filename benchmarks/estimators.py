@@ -6,7 +6,7 @@ Both are trained on the same simulated presses of one face for the same wall-clo
 half of the minutes each, and judged on presses that neither saw. Ours is trained once more, in a
 fifth of the minutes (two of ten). Presses are made up and smooth (those of `scores.py`) with the
 sensors' measured noise. Finished trainings stand in a folder `estimators_parts_…` until all are:
-an interrupted run goes on from them. Writes `estimators.json` and `estimators.png`.
+an interrupted run goes on from them. Writes `estimators.json`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,6 @@ import torch
 from harness import Result, conclude, kept, machine, option_parser, parts_folder
 from scores import made_up_presses
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec, TrainingSpec
 from estimator.deploy.export import export_onnx
 from estimator.deploy.runtime import DeployedModel, load_deployed, run_model
@@ -145,34 +144,6 @@ def measured(quick: bool, minutes: float, parts: Path) -> Result:
     }
 
 
-def draw(result: Result, path: Path) -> None:
-    """Force error after the same time, and time a frame; quick runs say so."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    names = list(result["recipes"])
-    errors = [result["recipes"][name]["E_f_percent"] for name in names]
-    labels = [f"{n.split(',')[0]}\n{result['budget_s'][n]:g} s" for n in names]
-    left.bar_label(left.bar(labels, errors, color=["C0", "C3", "C0"]), fmt="%.3g")
-    left.margins(y=0.12)
-    left.set(ylabel="force error E_f (%), held-out presses", xlabel="recipe, time of training")
-    times = [result["inference"][f"{name}_ms"] for name in ("compact", "paper")]
-    bars = right.bar(["compact", "paper"], times, color=["C0", "C3"])
-    right.bar_label(bars, fmt="%.3g ms")
-    right.axhline(INFERENCE_TARGET_MS, color="0.4", ls=":")
-    right.annotate("aim", (0.5, INFERENCE_TARGET_MS), ha="center", va="bottom", color="0.4")
-    right.set(ylabel="one frame by onnxruntime (ms)", yscale="log")
-    right.margins(y=0.15)
-    small = ", reduced resolution, for a preview only" if result["quick"] else ""
-    figure.suptitle(
-        f"Made-up presses of one face, {result['frames']['train']} training frames, one thread{small}",
-        fontsize=10,
-    )
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=130, format="png")
-
-
 def report(result: Result) -> str:
     """The figures in words."""
     processor = result["machine"]["processor"]
@@ -213,7 +184,7 @@ def main(arguments: list[str]) -> None:
     form = "quick" if options.quick else f"{options.minutes:g}_min"
     parts = parts_folder("estimators", form, options, result)
     result |= measured(options.quick, options.minutes, parts)
-    conclude("estimators", options, result, report, draw)
+    conclude("estimators", options, result, report)
     shutil.rmtree(parts)
 
 

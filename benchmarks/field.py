@@ -6,7 +6,7 @@ The job is the product's own: in every press 25 magnets have moved and turned, a
 the sum of their fields. Both sides do the whole of it, magpylib with one Cylinder per magnet whose
 path holds the presses, the product's law in pieces that fit the cache, as signals take it. Times are
 processor time, the least of several runs, so that other programs on the machine matter less. Writes
-`field.json` and `field.png`.
+`field.json`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import magpylib
@@ -22,7 +21,6 @@ import numpy as np
 from harness import best_seconds, conclude, machine, option_parser
 from scipy.spatial.transform import Rotation
 
-from design.files import atomic_path
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
@@ -163,19 +161,6 @@ def compare(quick: bool) -> list[dict[str, Any]]:
     return rows
 
 
-def growth(quick: bool) -> list[dict[str, Any]]:
-    """Processor time against the number of pairs, series at 8 mm."""
-    model = field_model(DISK, 8.0)
-    rows = []
-    for count in (1_000, 10_000, 50_000) if quick else [10**k for k in range(3, 8)]:
-        job = make_job(count, 8.0)
-        seconds = {name: job.pairs / rate(model, dtype, job, 3) for name, dtype in TYPES.items()}
-        if count <= 10**6:
-            seconds["magpylib Cylinder"] = best_seconds(by_magpylib(job), 2)
-        rows.append({"pairs": job.pairs, "seconds": seconds})
-    return rows
-
-
 def signals_seconds(quick: bool) -> dict[str, Any]:
     """Signals of 5 faces, all contact locations, 20 depths and 45 channels from motions (float64)."""
     steps = 2 if quick else 20
@@ -191,26 +176,6 @@ def signals_seconds(quick: bool) -> dict[str, Any]:
     motions = MagnetMotions(faces, grid, depths, motion)
     seconds = best_seconds(lambda: press_signals(spec, forces, motions), 3)
     return {"presses": int(np.prod(shape)), "channels": 45, "seconds": seconds}
-
-
-def draw(rows: list[dict[str, Any]], path: Path) -> None:
-    """Time against the number of pairs, both logarithmic."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
-    for name in rows[0]["seconds"]:
-        points = [(r["pairs"], r["seconds"][name]) for r in rows if name in r["seconds"]]
-        axes.loglog(*zip(*points, strict=True), marker="o", label=name)
-    axes.set(xlabel="magnet–sensor pairs", ylabel="processor time, s")
-    axes.set_title(f"Series of order {field_model(DISK, 8.0).order}, r ≥ 8 mm")
-    axes.grid(visible=True, which="major", alpha=0.3)
-    axes.legend()
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=120)
-    pyplot.close(figure)
 
 
 def report(result: dict[str, Any]) -> str:
@@ -238,10 +203,9 @@ def main(arguments: list[str] | None = None) -> None:
         "machine": machine(1, ("numpy", "magpylib")),
         "quick": options.quick,
         "models": compare(options.quick),
-        "growth": growth(options.quick),
         "signals": signals_seconds(options.quick),
     }
-    conclude("field", options, result, report, lambda found, path: draw(found["growth"], path))
+    conclude("field", options, result, report)
 
 
 if __name__ == "__main__":

@@ -76,17 +76,14 @@ def conclude(
     options: argparse.Namespace,
     result: Result,
     report: Callable[[Result], str],
-    draw: Callable[[Result, Path], None] | None = None,
 ) -> None:
-    """Write `name`.json, and a plot where there is one; print the report."""
+    """Write `name`.json; print the report."""
     out = results_folder(options, result)
     title = (sys.modules["__main__"].__doc__ or name).splitlines()[0].rstrip(".")
     command = f"python benchmarks/{name}.py{' --quick' * options.quick}"
     record = described(title, command) | {"report": report(result).splitlines()} | result
     with atomic_path(out / f"{name}.json") as temporary:
         temporary.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
-    if draw:
-        draw(result, out / f"{name}.png")
     print(report(result))
 
 

@@ -3,9 +3,9 @@
     python benchmarks/mechanics.py [--quick] [--out FOLDER]
 
 Everything in one run on one machine with the same number of threads for all. Rivals take turns
-(A B C, A B C, …), and must agree in what they compute. Writes `mechanics.json` and
-`mechanics.png`. Peers that are not installed are named with the reason. Finished parts stand in
-`mechanics_parts_full` until all are: an interrupted run goes on from them.
+(A B C, A B C, …), and must agree in what they compute. Writes `mechanics.json`. Peers that are not
+installed are named with the reason. Finished parts stand in `mechanics_parts_full` until all are: an
+interrupted run goes on from them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,6 @@ from mechanics_solves import Contest, contests, solve_taylor_hood
 from mechanics_table import QUICK_MESH, table
 from skfem import MeshTet
 
-from design.files import atomic_path
 from design.spec.object import MeshSpec, ObjectSpec
 from fem.linear.factorization import pardiso_available
 from fem.mesh.tetrahedra import tetrahedralize
@@ -112,41 +110,6 @@ def _spread(values: list[float]) -> dict[str, float]:
     }
 
 
-def draw(result: dict[str, Any], path: Path) -> None:
-    """Phases of the table, single solves, and growth of time and memory."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(15, 4.4), layout="constrained")
-    phases = result["table"]["phases_s"]
-    left.barh(list(phases)[::-1], list(phases.values())[::-1], color="0.45")
-    left.set(xlabel="wall time, s")
-    left.set_title(
-        f"Table of {result['table']['presses']:,} presses: {result['table']['total_s']:.0f} s"
-    )
-    labels, medians = [], []
-    for contest in result["single_solves"]:
-        for name, runs in contest["runs"].items():
-            labels.append(f"{contest['element'].split(',')[0]}: {name}")
-            medians.append(float(np.median([run["total_s"] for run in runs])))
-    colours = ["C0" if "instobj" in label else "0.7" for label in labels]
-    middle.barh(labels[::-1], medians[::-1], color=colours[::-1])
-    middle.set(xlabel="assemble + factor + solve, s")
-    middle.set_title(f"One solve, {result['single_solves'][0]['nodes']:,} nodes")
-    nodes = [row["nodes"] for row in result["growth"]]
-    right.loglog(nodes, [row["total_s"] for row in result["growth"]], "o-", label="wall time, s")
-    right.loglog(nodes, [row["peak_gb"] for row in result["growth"]], "s-", label="peak memory, GB")
-    right.set(xlabel="nodes of a solid block (Taylor–Hood)")
-    right.set_title("Growth of one solve")
-    right.grid(visible=True, which="major", alpha=0.3)
-    right.legend(frameon=False)
-    with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=110)
-    pyplot.close(figure)
-
-
 def report(result: dict[str, Any]) -> str:
     """The result as lines for people."""
     done = result["table"]
@@ -201,7 +164,7 @@ def main(arguments: list[str] | None = None) -> None:
     result["table"] = kept(parts, "table", lambda: in_own_process("--table", *quick))
     result["single_solves"] = kept(parts, "solves", lambda: single_solves(options.quick))
     result["growth"] = [block(cells) for cells in GROWTH_CELLS[options.quick]]
-    conclude("mechanics", options, result, report, draw)
+    conclude("mechanics", options, result, report)
     shutil.rmtree(parts)
 
 

@@ -25,8 +25,6 @@ from estimator.evaluation.baselines import baseline_reports, held_out_answers
 from estimator.evaluation.evaluation import (
     evaluate_face,
     evaluate_intervals,
-    linear_baseline,
-    mean_map_baseline,
 )
 from estimator.frames.collection import joined
 from estimator.frames.dataset import FrameSet
@@ -35,6 +33,7 @@ from estimator.frames.splits import Split, split_places, split_presses
 from estimator.networks.face_model import FaceModel
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.reading import read_recording
+from studies.paper.heatmap_baselines import linear_baseline, mean_map_baseline
 from studies.recorded.rest_offset import rest_offset_baseline
 
 HISTORIES = (0, 3, 6, 9)

@@ -77,52 +77,39 @@ def write_part(
     InputError
         The folder cannot be written, or the part touches itself so that its surface is not closed.
     """
-    if not isinstance(solid, cq.Shape):
-        return _write_triangles(part, solid, folder, spec)
-    # The bounding box is read first: a triangulated shape would be measured by its triangles.
-    box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(convert_to_triangles(solid, TRIANGLES, False), folder / f"{part.name}.stl")
-    printing = _write_3mf(part, mesh, folder, spec)
-    _write_step(solid, folder / f"{part.name}.step")
+    target = folder / f"{part.name}.stl"
+    if isinstance(solid, cq.Shape):
+        # The bounding box is read first: a triangulated shape would be measured by its triangles.
+        box, centre = solid.BoundingBox(), solid.Center()
+        measures = {
+            "volume_mm3": solid.Volume(),
+            "bounding_box_mm": ((box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)),
+            "centre_of_mass_mm": centre.toTuple(),
+            "face_count": len(solid.Faces()),
+            "solid_count": len(solid.Solids()),
+        }
+        mesh = printed = _write_stl(convert_to_triangles(solid, TRIANGLES, False), target)
+        _write_step(solid, target.with_suffix(".step"))
+    else:
+        measures = {
+            "volume_mm3": float(solid.volume),
+            "bounding_box_mm": tuple(map(tuple, solid.bounds.tolist())),
+            "centre_of_mass_mm": tuple(solid.center_mass.tolist()),
+            "face_count": len(solid.faces),
+            "solid_count": int(solid.body_count),
+        }
+        mesh, printed = _write_stl(solid, target), solid
     manifest = PartManifest(
         name=part.name,
-        volume_mm3=solid.Volume(),
-        bounding_box_mm=((box.xmin, box.ymin, box.zmin), (box.xmax, box.ymax, box.zmax)),
-        centre_of_mass_mm=centre.toTuple(),
-        face_count=len(solid.Faces()),
-        solid_count=len(solid.Solids()),
+        **measures,
         stl_volume_mm3=float(mesh.volume),
         stl_watertight=bool(mesh.is_watertight),
         stl_triangles=len(mesh.faces),
         material=part.material,
         count=part.count,
-        printing=printing,
+        printing=_write_3mf(part, printed, folder, spec),
     )
     return manifest, mesh
-
-
-def _write_triangles(
-    part: Part, surface: trimesh.Trimesh, folder: Path, spec: ObjectSpec
-) -> tuple[PartManifest, trimesh.Trimesh]:
-    written = _write_stl(surface, folder / f"{part.name}.stl")
-    printing = _write_3mf(part, surface, folder, spec)
-    (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
-    cx, cy, cz = surface.center_mass.tolist()
-    manifest = PartManifest(
-        name=part.name,
-        volume_mm3=float(surface.volume),
-        bounding_box_mm=((x0, y0, z0), (x1, y1, z1)),
-        centre_of_mass_mm=(cx, cy, cz),
-        face_count=len(surface.faces),
-        solid_count=int(surface.body_count),
-        stl_volume_mm3=float(written.volume),
-        stl_watertight=bool(written.is_watertight),
-        stl_triangles=len(written.faces),
-        material=part.material,
-        count=part.count,
-        printing=printing,
-    )
-    return manifest, written
 
 
 def _write_3mf(

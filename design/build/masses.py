@@ -20,10 +20,11 @@ from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import board_blocks
 from design.layout.body import body_of
 from design.layout.places.positions import magnet_layout, shell_body_layout
+from design.solids.body import outer_solid
 from design.solids.booleans import Shape, cut
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM
-from design.solids.shell import cavity, envelope, slit_fins
+from design.solids.shell import cavity, slit_fins
 from design.spec.magnets import MagnetSize
 from design.spec.object import ObjectSpec
 
@@ -116,7 +117,7 @@ def solid_mass(solid: Shape, density_g_per_cm3: float) -> Mass:
 def _sealed_shell(spec: ObjectSpec) -> Shape:
     """Return the silicone with its pockets filled, bodies in it included."""
     if not body_of(spec).sampled:
-        return cut(envelope(spec), *cavity(spec, OVERSHOOT_MM), *slit_fins(spec))
+        return cut(outer_solid(spec), *cavity(spec, OVERSHOOT_MM), *slit_fins(spec))
     removed = [block_surface(block) for block in (*core_keys(spec), *relief_slits(spec))]
     room = body_of(spec).cavity_surface()
     removed += [] if room is None else [room]

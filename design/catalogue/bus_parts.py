@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 from design.errors import InputError
 
 
@@ -162,16 +162,5 @@ class Board:
     battery_pin: str = ""
 
 
-BOARDS = read_table("boards", Board)
+BOARDS = read_table("boards", Board, "board")
 MEGA2560, PICO = BOARDS["mega2560"], BOARDS["pico"]
-
-
-def board_named(name: str) -> Board:
-    """The board of that name.
-
-    Raises
-    ------
-    InputError
-        No such board.
-    """
-    return row_named(BOARDS, name, "board")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 from design.errors import InputError
 
 Triple = tuple[float, float, float]
@@ -72,22 +72,14 @@ class HallPart:
 
 
 GENERIC_PART = "generic"
-HALL_PARTS = read_table("hall_sensors", HallPart)
+HALL_PARTS = read_table(
+    "hall_sensors",
+    HallPart,
+    "sensors.part",
+    f"; {GENERIC_PART!r} takes sensors.range_mt, counts_per_mt and noise_counts as you give them",
+)
 _COARSE_COUNTS_PER_MT = 100.0
 """Parts with fewer are too coarse for small presses to be proposed for a wider range."""
-
-
-def hall_part(name: str) -> HallPart:
-    """The sensor of that part number.
-
-    Raises
-    ------
-    InputError
-        No such part.
-    """
-    figures = "sensors.range_mt, counts_per_mt and noise_counts"
-    otherwise = f"; {GENERIC_PART!r} takes {figures} as you give them"
-    return row_named(HALL_PARTS, name, "sensors.part", otherwise)
 
 
 def wider_range(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 
 MagnetShape = Literal["disk", "ring", "block"]
 
@@ -42,19 +42,12 @@ class MagnetPart:
         return values
 
 
-MAGNET_PARTS = read_table("magnets", MagnetPart)
-
-
-def magnet_part(name: str) -> MagnetPart:
-    """The magnet of that part name.
-
-    Raises
-    ------
-    InputError
-        No such part.
-    """
-    otherwise = ", or leave it out and give magnets.shape and its dimensions"
-    return row_named(MAGNET_PARTS, name, "magnets.part", otherwise)
+MAGNET_PARTS = read_table(
+    "magnets",
+    MagnetPart,
+    "magnets.part",
+    ", or leave it out and give magnets.shape and its dimensions",
+)
 
 
 NDFEB_REMANENCE_PER_KELVIN = -0.0011
@@ -77,16 +70,6 @@ class MagnetGrade:
         return self.remanence_min_t <= remanence_t <= self.remanence_max_t
 
 
-GRADES = read_table("grades", MagnetGrade)
-
-
-def magnet_grade(name: str) -> MagnetGrade:
-    """The grade of that name.
-
-    Raises
-    ------
-    InputError
-        No such grade.
-    """
-    otherwise = ", or leave it out and give magnets.remanence_t"
-    return row_named(GRADES, name, "magnets.grade", otherwise)
+GRADES = read_table(
+    "grades", MagnetGrade, "magnets.grade", ", or leave it out and give magnets.remanence_t"
+)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 
 
 @dataclass(frozen=True)
@@ -22,16 +22,6 @@ class Printer:
     density_g_per_cm3: float
 
 
-PRINTERS = read_table("printers", Printer)
-
-
-def printer_preset(name: str) -> Printer:
-    """The printer of that name.
-
-    Raises
-    ------
-    InputError
-        No such preset.
-    """
-    otherwise = " and give your printer's figures beside it"
-    return row_named(PRINTERS, name, "printer.name", otherwise)
+PRINTERS = read_table(
+    "printers", Printer, "printer.name", " and give your printer's figures beside it"
+)

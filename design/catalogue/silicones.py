@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 from design.errors import InputError
 
 _INCOMPRESSIBLE = 0.4999
@@ -57,19 +57,12 @@ class Silicone:
     casting: Casting | None = None
 
 
-SILICONES = read_table("silicones", Silicone)
-
-
-def silicone_preset(name: str) -> Silicone:
-    """The silicone of that name.
-
-    Raises
-    ------
-    InputError
-        No such preset.
-    """
-    otherwise = ", or give silicone.youngs_modulus_mpa or silicone.modulus_from"
-    return row_named(SILICONES, name, "silicone.name", otherwise)
+SILICONES = read_table(
+    "silicones",
+    Silicone,
+    "silicone.name",
+    ", or give silicone.youngs_modulus_mpa or silicone.modulus_from",
+)
 
 
 def modulus_from_shore(reading: str) -> ModulusEstimate:

@@ -15,8 +15,38 @@ from design.errors import InputError
 Row = TypeVar("Row")
 
 
-def read_table(file: str, row: type[Row]) -> dict[str, Row]:
-    """Return the rows of `file`.toml by their names, each a dataclass of type `row`.
+class Catalogue(dict[str, Row]):
+    """Rows by their names.
+
+    Attributes
+    ----------
+    key : what gives a name, a key of a specification or an option
+    otherwise : what can be done where no row fits, behind the names
+    """
+
+    def __init__(self, rows: Mapping[str, Row], key: str, otherwise: str) -> None:
+        super().__init__(rows)
+        self.key, self.otherwise = key, otherwise
+
+    def named(self, name: str) -> Row:
+        """Return the row of that name.
+
+        Raises
+        ------
+        InputError
+            No such row.
+        """
+        if name not in self:
+            raise InputError(
+                f"{self.key} = {name!r} is not in the catalogue. Choose one of {', '.join(self)}"
+                f"{self.otherwise}"
+            )
+        return self[name]
+
+
+def read_table(file: str, row: type[Row], key: str = "", otherwise: str = "") -> Catalogue[Row]:
+    """Return the rows of `file`.toml by their names, each a dataclass of type `row`; with `key` and
+    `otherwise` as in `Catalogue`.
 
     Rows hold their name where they have a field for it. A row with the key `like` has what it does not
     give from that earlier row. A key that is no field, or a value of another type, is a fault of the
@@ -29,19 +59,5 @@ def read_table(file: str, row: type[Row]) -> dict[str, Row]:
     for name, values in tomllib.loads(text).items():
         base = whole[values.pop("like")] if "like" in values else {}
         whole[name] = base | values | ({"name": name} if named else {})
-    return {name: strict.validate_python(values) for name, values in whole.items()}
-
-
-def row_named(rows: Mapping[str, Row], name: str, key: str, otherwise: str = "") -> Row:
-    """Return the row of that name, which `key` of a specification or an option gives.
-
-    Raises
-    ------
-    InputError
-        No such row; with all names, and what can be done `otherwise`.
-    """
-    if name not in rows:
-        raise InputError(
-            f"{key} = {name!r} is not in the catalogue. Choose one of {', '.join(rows)}{otherwise}"
-        )
-    return rows[name]
+    rows = {name: strict.validate_python(values) for name, values in whole.items()}
+    return Catalogue(rows, key, otherwise)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Literal
 
 Status = Literal["pass", "warn", "fail"]
@@ -36,9 +36,6 @@ class Finding:
         place = given["place_mm"]
         values: dict[str, Any] = given | {"place_mm": None if place is None else place_of(place)}
         return cls(**values)
-
-    def as_dict(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def status_above(value: float, limit: float, warn_factor: float = 1.0) -> Status:

@@ -15,8 +15,9 @@ from __future__ import annotations
 from design.mould.openings import hole_solid, mould_holes
 from design.mould.room import cast_room
 from design.mould.walls import fins_to_walls, walls
+from design.solids.body import outer_solid
 from design.solids.booleans import Solid, cut, join, one_body
-from design.solids.shell import envelope, pocket_prisms
+from design.solids.shell import pocket_prisms
 from design.spec.object import ObjectSpec
 
 
@@ -42,4 +43,4 @@ def make_seal_mould(spec: ObjectSpec) -> Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    return one_body(join(walls(spec, envelope(spec)), *fins_to_walls(spec)), "mould_seal_box")
+    return one_body(join(walls(spec, outer_solid(spec)), *fins_to_walls(spec)), "mould_seal_box")

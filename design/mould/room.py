@@ -6,17 +6,16 @@ from design.layout.blocks import core_keys
 from design.layout.body import body_of
 from design.layout.mould.frame import mould_frame
 from design.layout.surface import cast_surface
-from design.solids.body import core_solid, past_opening
+from design.solids.body import cast_outer_solid, core_solid, outer_solid, past_opening
 from design.solids.booleans import Shape, join
 from design.solids.primitives import block_solid
 from design.solids.sampled import keyed_core
-from design.solids.shell import cast_envelope, envelope
 from design.spec.object import ObjectSpec
 
 
 def cast_room(spec: ObjectSpec) -> Shape:
     """The outside of what the first pour casts: an exact solid, or triangles."""
-    return cast_surface(spec) if body_of(spec).sampled else cast_envelope(spec)
+    return cast_surface(spec) if body_of(spec).sampled else cast_outer_solid(spec)
 
 
 def core_outside(spec: ObjectSpec) -> Shape:
@@ -29,7 +28,7 @@ def core_outside(spec: ObjectSpec) -> Shape:
 
 def finished_room(spec: ObjectSpec) -> Shape:
     """The outside of the finished silicone: an exact solid, or triangles."""
-    return body_of(spec).outer_surface() if body_of(spec).sampled else envelope(spec)
+    return body_of(spec).outer_surface() if body_of(spec).sampled else outer_solid(spec)
 
 
 def drawn_out(spec: ObjectSpec, room: Shape, layer_mm: float) -> Shape:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.catalogue.magnets import magnet_part
+from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import core_pockets, magnet_bodies, sensor_places, shell_pockets
@@ -326,7 +326,7 @@ def _check(spec: ObjectSpec) -> None:
 def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
     if vary.magnet_sizes is None:
         return
-    parts = [magnet_part(name) for name in vary.magnet_sizes]
+    parts = [MAGNET_PARTS.named(name) for name in vary.magnet_sizes]
     blocks = [part.name for part in parts if part.shape == "block"]
     if blocks:
         raise InputError(

@@ -18,12 +18,11 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.solids.body import core_hollow
+from design.solids.body import core_hollow, outer_solid
 from design.solids.booleans import Shape, Solid, convert_to_triangles, cut, one_body
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.solids.probes import TIP_COUNTS, lowest_presses, make_probe
-from design.solids.shell import envelope
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -195,7 +194,7 @@ def recess_solid(spec: ObjectSpec, top: float) -> cq.Solid:
     play, body = spec.printer.clearance_mm, body_of(spec)
     if body.round_below:
         return rod_about_z(body.radius_mm + play, top - RECESS_MM, top + OVERSHOOT_MM)
-    box = envelope(spec).BoundingBox()
+    box = outer_solid(spec).BoundingBox()
     low = (box.xmin - play, box.ymin - play, top - RECESS_MM)
     return box_between(low, (box.xmax + play, box.ymax + play, top + OVERSHOOT_MM))
 

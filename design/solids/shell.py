@@ -11,7 +11,7 @@ from design.layout.blocks import core_keys, relief_slits
 from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.pockets import shell_pockets
-from design.solids.body import cast_outer_solid, cavity_solid, outer_solid
+from design.solids.body import cast_outer_solid, cavity_solid
 from design.solids.booleans import Solid, cut, one_solid
 from design.solids.kernel import cq
 from design.solids.primitives import (
@@ -37,17 +37,7 @@ def make_shell(spec: ObjectSpec) -> Solid:
         *slit_fins(spec),
         *(locator_hole(locator) for locator in locators(spec)),
     )
-    return one_solid(cut(cast_envelope(spec), *removed), "shell")
-
-
-def envelope(spec: ObjectSpec) -> cq.Solid:
-    """The silicone's outside, mm."""
-    return outer_solid(spec)
-
-
-def cast_envelope(spec: ObjectSpec) -> cq.Solid:
-    """The outside of what the first pour casts: the body's less the seal layer."""
-    return cast_outer_solid(spec)
+    return one_solid(cut(cast_outer_solid(spec), *removed), "shell")
 
 
 def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.printers import Printer, printer_preset
+from design.catalogue.printers import PRINTERS, Printer
 from design.spec.base import Angle, SpecPart
 
 Gap = Annotated[float, Field(ge=0.005, le=2)]
@@ -58,12 +58,12 @@ class PrinterSpec(SpecPart):
     @property
     def preset(self) -> Printer:
         """Process of the printer, with aspect, draft and density of what it makes."""
-        return printer_preset(self.name)
+        return PRINTERS.named(self.name)
 
     @model_validator(mode="before")
     @classmethod
     def _figures_left_out(cls, given: Any) -> Any:
         if not isinstance(given, dict) or not isinstance(given.get("name", ""), str):
             return given
-        preset = asdict(printer_preset(given.get("name", "fdm-0.4")))
+        preset = asdict(PRINTERS.named(given.get("name", "fdm-0.4")))
         return {key: value for key, value in preset.items() if key in cls.model_fields} | given

@@ -11,11 +11,7 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from design.catalogue.magnets import (
-    MagnetShape,
-    magnet_grade,
-    magnet_part,
-)
+from design.catalogue.magnets import GRADES, MAGNET_PARTS, MagnetShape
 from design.spec.base import (
     Coordinate,
     Length,
@@ -240,9 +236,9 @@ class MagnetSpec(SpecPart):
             given = {**_figures_of_parts(given["part"], given.get("remanence_t") is None), **given}
         grade = given.get("grade")
         if isinstance(grade, str):
-            given = {"remanence_t": magnet_grade(grade).remanence_t, **given}
+            given = {"remanence_t": GRADES.named(grade).remanence_t, **given}
         elif isinstance(grade, list | tuple) and grade and all(isinstance(g, str) for g in grade):
-            given = {"remanence_t": tuple(magnet_grade(g).remanence_t for g in grade), **given}
+            given = {"remanence_t": tuple(GRADES.named(g).remanence_t for g in grade), **given}
         return given
 
     @model_validator(mode="after")
@@ -273,7 +269,7 @@ class MagnetSpec(SpecPart):
 
     def _check_part(self) -> None:
         for index, name in enumerate(self.parts):
-            part, size = magnet_part(name), self.sizes[index]
+            part, size = MAGNET_PARTS.named(name), self.sizes[index]
             figures = part.figures()
             given = {key: getattr(size, "edges_mm" if key == "size_mm" else key) for key in figures}
             if part.grade is not None and self.grades:
@@ -308,7 +304,7 @@ class MagnetSpec(SpecPart):
 
     def _check_grade(self) -> None:
         for name, remanence_t in zip(self.grades, self.remanences_t, strict=bool(self.grades)):
-            grade = magnet_grade(name)
+            grade = GRADES.named(name)
             if not grade.admits(remanence_t):
                 raise ValueError(
                     f"magnets.remanence_t = {remanence_t:g} lies outside grade {grade.name} "
@@ -326,9 +322,9 @@ def _names(part: Any) -> bool:
 def _figures_of_parts(names: str | Sequence[str], graded: bool) -> dict[str, Any]:
     """Return what one catalogued magnet gives for all magnets, or several for one each."""
     if isinstance(names, str):
-        part = magnet_part(names)
+        part = MAGNET_PARTS.named(names)
         return part.figures() | ({"grade": part.grade} if graded and part.grade else {})
-    parts = [magnet_part(name) for name in names]
+    parts = [MAGNET_PARTS.named(name) for name in names]
     shapes = sorted({part.shape for part in parts})
     if len(shapes) > 1:
         raise ValueError(

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import Field, model_validator
 
 from design.catalogue.bus_parts import conversion_ms, frame_ms
-from design.catalogue.hall_sensors import hall_part
+from design.catalogue.hall_sensors import HALL_PARTS
 from design.spec.base import (
     Angle,
     Coordinate,
@@ -182,7 +182,7 @@ def _part_figures(given: dict[str, Any]) -> dict[str, Any]:
     numbers = all(isinstance(n, int | float | None) for n in (range_mt, counts_per_mt))
     if not (isinstance(name, str) and averaging in get_args(Averaging) and numbers):
         return {}
-    part = hall_part(name)
+    part = HALL_PARTS.named(name)
     if range_mt is None and part.ranges:
         range_mt = part.ranges[0].range_mt
     if counts_per_mt is None and range_mt is not None and part.ranges:

@@ -12,7 +12,6 @@ from design.catalogue.silicones import (
     ModulusEstimate,
     Silicone,
     modulus_from_shore,
-    silicone_preset,
 )
 from design.spec.base import Density, Length, SpecPart
 
@@ -153,7 +152,7 @@ def _figures(given: dict[str, Any]) -> dict[str, Any]:
                 f"silicone.modulus_from = {source!r} is read where a specification is loaded from a "
                 "file. Give silicone.youngs_modulus_mpa, or load the file"
             )
-        estimate = estimate or silicone_preset(name).modulus
+        estimate = estimate or SILICONES.named(name).modulus
         modulus = estimate.youngs_modulus_mpa
     numeric = isinstance(modulus, int | float)
     spread = (

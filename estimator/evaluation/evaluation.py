@@ -1,4 +1,4 @@
-"""Metrics of trained estimators, compared with baselines that any estimator must beat."""
+"""Metrics of trained estimators."""
 
 from __future__ import annotations
 
@@ -11,19 +11,13 @@ from design.errors import InputError
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import (
     FaceData,
-    channel_counts,
     face_data,
-    live_channels,
     with_history,
 )
-from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_reference
 from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
 from estimator.networks.prediction import ContactReadings, Prediction
-from estimator.networks.training.data import thinned, with_contacts
-
-RIDGE = 1e-3
-"""Penalty of ridge regression, a share of the mean square of its inputs."""
+from estimator.networks.training.data import with_contacts
 
 
 @dataclass(frozen=True)
@@ -55,7 +49,9 @@ def evaluate_face(
     """
     _check_grid(model, frames)
     data = face_data(with_history(frames, model.history_frames), model.face)
-    return _metrics(data, predict_heatmaps(model, data.frames), dataset or frames)
+    reference = force_reference(face_data(dataset or frames, model.face).heatmap_n)
+    predicted_n = predict_heatmaps(model, data.frames)
+    return face_metrics(model.face, predicted_n, data.heatmap_n, reference, data.rest)
 
 
 def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
@@ -146,48 +142,6 @@ def interval_errors(
     prediction = predict(model, data.frames)
     missed_n = np.abs(prediction.force_n - data.heatmap_n.sum(axis=(1, 2)))
     return prediction, missed_n, np.linalg.norm(prediction.xy_mm - data.centre_mm, axis=1)
-
-
-def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
-    """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    learned, held_out = (
-        thinned(with_contacts(face_data(frames.select(part), face), name), 1)
-        for part, name in ((split.train, "training"), (split.validation, "validation"))
-    )
-    alive = live_channels(held_out)
-    channels = tuple(channel for channel in live_channels(learned) if channel in alive)
-    tested = face_data(frames.select(split.test), face)
-    sigma = frames.noise_counts[[axis for *_, axis in channels]]
-    given, tested_rows = (
-        np.column_stack([channel_counts(data.frames, channels) / sigma, np.ones(len(data))])
-        for data in (learned, tested)
-    )
-    weights = ridge_weights(given, learned.heatmap_n.reshape(len(learned), -1))
-    return _metrics(tested, (tested_rows @ weights).reshape(tested.heatmap_n.shape), frames)
-
-
-def ridge_weights(
-    given: Float[np.ndarray, "frame input"], wanted: Float[np.ndarray, "frame output"]
-) -> Float[np.ndarray, "input output"]:
-    """Weights of ridge regression in closed form."""
-    # (XᵀX + λ I) W = XᵀY; λ is a thousandth of the mean of XᵀX's diagonal, whatever the inputs' units.
-    normal = given.T @ given
-    penalty = RIDGE * np.trace(normal) / len(normal) * np.eye(len(normal))
-    return np.linalg.solve(normal + penalty, given.T @ wanted)
-
-
-def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
-    """Chance: always the mean training heatmap of contact frames, whatever the signals say."""
-    train, test = (face_data(frames.select(part), face) for part in (split.train, split.test))
-    mean = train.heatmap_n[train.contact].mean(axis=0)
-    return _metrics(test, np.broadcast_to(mean, test.heatmap_n.shape).copy(), frames)
-
-
-def _metrics(
-    data: FaceData, predicted_n: Float[np.ndarray, "frame nx ny"], dataset: FrameSet
-) -> FaceMetrics:
-    reference = force_reference(face_data(dataset, data.face).heatmap_n)
-    return face_metrics(data.face, predicted_n, data.heatmap_n, reference, data.rest)
 
 
 def _check_grid(model: FaceModel, frames: FrameSet) -> None:

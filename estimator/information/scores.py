@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float, Int, Shaped
@@ -48,8 +48,6 @@ from estimator.signals.live import live_jacobian, read_change
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, require_finite
 
-Area = Literal["corner", "edge", "mid_edge", "centre"]
-AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
 COVARIANCE_SAMPLES = 64
 _AT_FORCE = ("delta", "position", "force_bound", "weakest")
 """Beginnings of the names of scores that hold at `score.force_n` alone."""
@@ -401,41 +399,6 @@ def weakest_place(scores: PlaceScores) -> WeakestPlace:
         float(bound[face, place]),
         float(scores.weakest_direction_deg[face, place]),
     )
-
-
-def area_places(
-    grid: PlaceGrid, area: Area, places: Bool[np.ndarray, "place"] | None = None
-) -> Bool[np.ndarray, "place"]:
-    """Places of an area of one face: corners; edge, the outermost ring without corners; mid_edge, the
-    middle third of each side; centre, the inner 4 × 4.
-
-    `places` are the face's, by default all. Where they are no rectangle, a border of
-    steps has no corners: all of it is edge.
-    """
-    whole = np.ones(len(grid), bool) if places is None else places
-    on_face = whole.reshape(grid.shape)
-    columns, rows = (np.flatnonzero(on_face.any(axis=axis)) for axis in (1, 0))
-    x, y = np.meshgrid(*map(np.arange, grid.shape), indexing="ij")
-    from_x, from_y = (
-        abs(position - (used[0] + used[-1]) / 2) for position, used in ((x, columns), (y, rows))
-    )
-    on_x, on_y = (end_frames(on_face, axis) for axis in (0, 1))
-    corner = on_x & on_y
-    if on_face.sum() < len(columns) * len(rows):
-        corner = np.zeros_like(on_face)
-    masks = {
-        "corner": corner,
-        "edge": (on_x | on_y) & ~corner,
-        "mid_edge": (on_x & (from_y <= len(rows) / 6)) | (on_y & (from_x <= len(columns) / 6)),
-        "centre": (from_x < 2) & (from_y < 2),
-    }
-    return (masks[area] & on_face).ravel()
-
-
-def end_frames(on_face: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
-    """Places that have no neighbour on one side or the other along an axis."""
-    padded = np.pad(np.moveaxis(on_face, axis, 0), ((1, 1), (0, 0)))
-    return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
 
 
 _UNITS = {

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from statistics import median
-from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -44,10 +43,6 @@ class RecordingReport:
     presses_zeroed_after: int
     faults: tuple[Fault, ...]
     motion: str = ""
-
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values for JSON."""
-        return asdict(self)
 
     def __str__(self) -> str:
         lines = [

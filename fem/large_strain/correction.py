@@ -16,7 +16,7 @@ other six; rotations gain little (41 to 38 %). Quadratic terms in x gain nothing
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -36,9 +36,6 @@ class StrainCorrection:
     force: tuple[float, float] = (0.0, 0.0)
     shift: tuple[float, float] = (0.0, 0.0)
     rotation: tuple[float] = (0.0,)
-
-    def to_dict(self) -> dict[str, object]:
-        return asdict(self)
 
 
 @dataclass(frozen=True)

@@ -75,23 +75,6 @@ def ogden(moduli_mpa: tuple[float, ...], exponents: tuple[float, ...]) -> Hypere
     return _stable(Hyperelastic("ogden", (), tuple(zip(moduli_mpa, exponents, strict=True))))
 
 
-def energy_density(
-    material: Hyperelastic, deformation: Float[np.ndarray, "*point 3 3"]
-) -> Float[np.ndarray, "*point"]:
-    """W in MPa (N·mm per mm³)."""
-    volume_ratio = np.linalg.det(deformation)
-    invariant = _invariant(deformation, volume_ratio)
-    energy = np.zeros_like(volume_ratio)
-    for power, coefficient in enumerate(material.invariant_coefficients_mpa, start=1):
-        energy += coefficient * invariant**power
-    if material.ogden_terms:
-        squared = np.linalg.eigvalsh(_right_cauchy_green(deformation))
-        for mu, alpha in material.ogden_terms:
-            powers = (squared ** (alpha / 2)).sum(axis=-1)
-            energy += mu / alpha * (powers - 3 - alpha * np.log(volume_ratio))
-    return energy
-
-
 def first_piola_stress(
     material: Hyperelastic, deformation: Float[np.ndarray, "*point 3 3"]
 ) -> Float[np.ndarray, "*point 3 3"]:
@@ -160,15 +143,12 @@ def _right_cauchy_green(deformation: np.ndarray) -> np.ndarray:
     return np.swapaxes(deformation, -1, -2) @ deformation
 
 
-def _invariant(deformation: np.ndarray, volume_ratio: np.ndarray) -> np.ndarray:
-    return (deformation**2).sum(axis=(-2, -1)) - 3 - 2 * np.log(volume_ratio)
-
-
 def _invariant_derivatives(
     material: Hyperelastic, deformation: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """dW/dI and d²W/dI²."""
-    invariant = _invariant(deformation, np.linalg.det(deformation))
+    volume_ratio = np.linalg.det(deformation)
+    invariant = (deformation**2).sum(axis=(-2, -1)) - 3 - 2 * np.log(volume_ratio)
     first, second = np.zeros_like(invariant), np.zeros_like(invariant)
     for power, coefficient in enumerate(material.invariant_coefficients_mpa, start=1):
         first += power * coefficient * invariant ** (power - 1)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
@@ -39,9 +38,6 @@ class MeshQuality:
     volume_error: float
     volume_error_limit: float
     magnet_volume_error: float
-
-    def to_dict(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:

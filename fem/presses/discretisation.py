@@ -6,8 +6,7 @@ between the two meshes stands for an error of d/(r^q − 1) on the finer one. He
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse.linalg
@@ -84,9 +83,6 @@ class DiscretisationError:
     presses: int
     unknowns: int
     coarse_unknowns: int
-
-    def to_dict(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def discretisation_error(

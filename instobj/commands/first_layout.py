@@ -9,7 +9,7 @@ from operator import itemgetter
 import numpy as np
 
 from design.body.kinds.registry import KINDS
-from design.catalogue.hall_sensors import hall_part
+from design.catalogue.hall_sensors import HALL_PARTS
 from design.errors import InputError
 from design.placement.objects import (
     COARSE,
@@ -124,7 +124,7 @@ def _thicknesses(request: Request, shell: ShellVariant) -> tuple[float, ...]:
 
 def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
     """Yield tables with the narrowest range of the chips, and with the next where that is left."""
-    for selectable in hall_part(SensorSpec().part).ranges[:2]:
+    for selectable in HALL_PARTS.named(SensorSpec().part).ranges[:2]:
         ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
         spec = spec_of(ranged)
         level = LevelWithoutMesh.create(coarse(spec)) if _passes(spec) else None

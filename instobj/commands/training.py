@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -79,7 +79,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     save_frames(frames, target)
     return {
         "command": "recordings",
-        "reports": [recording.report.as_dict() for recording in recordings],
+        "reports": [asdict(recording.report) for recording in recordings],
         "between": [vars(fault) for fault in between],
         "texts": [
             *(str(recording.report) for recording in recordings),
@@ -230,8 +230,7 @@ def twin_of_data(path: Path, frames: FrameSet, training: TrainingSpec) -> TwinOf
 def simulated_twin(
     path: Path, overrides: list[str], frames: FrameSet, draws: int = 0
 ) -> TwinOfData:
-    """Simulated presses of the specification of a data set's object; raises as `twin_of_data`, but for
-    data of several contacts that press together where no objects are drawn."""
+    """Simulated presses of the specification of a data set's object; raises as `twin_of_data`."""
     from design.spec_io import load_spec
     from estimator.information.shear import shear_signals
     from instobj.stages.makers.twin import TwinOfData, require_same_object, require_some_face
@@ -239,8 +238,7 @@ def simulated_twin(
 
     spec = load_spec(path, overrides)
     require_same_object(spec, frames)
-    if draws or not np.any(np.sum(frames.contact_face > 0, axis=1) > 1):
-        require_some_face(spec, frames)
+    require_some_face(spec, frames)
     run = Run(spec)
     presses, shear = run.read(PRESSES), None
     if spec.inversion.tangential_share:

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from design.catalogue.hall_sensors import hall_part
-from design.catalogue.magnets import magnet_grade
+from design.catalogue.hall_sensors import HALL_PARTS
+from design.catalogue.magnets import GRADES
 from design.errors import InputError, InstobjError
 from design.files import atomic_path
 from design.layout.pockets import magnet_bodies, sensor_places
@@ -92,9 +92,9 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
     of_magnets = changed.get("magnets", {})
     if grade := of_magnets.get("grade"):  # what it is made of decides how strong it is
         of_magnets["remanence_t"] = (
-            magnet_grade(grade).remanence_t
+            GRADES.named(grade).remanence_t
             if isinstance(grade, str)
-            else [magnet_grade(each).remanence_t for each in grade]
+            else [GRADES.named(each).remanence_t for each in grade]
         )
     silicone = changed.pop("silicone", {})  # another one brings all its figures
     parts = {
@@ -118,7 +118,7 @@ def _rescaled(spec: ObjectSpec, part: str, range_mt: float) -> dict[str, Any]:
     InputError
         No such part or range, or a part whose noise the catalogue does not have.
     """
-    sensors, listed = spec.sensors, hall_part(part)
+    sensors, listed = spec.sensors, HALL_PARTS.named(part)
     covering = listed.range_covering(range_mt)
     counts_per_mt = covering.counts_per_mt
     times = counts_per_mt / sensors.counts_per_mt

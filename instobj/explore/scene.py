@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float, Int
 from trimesh.remesh import subdivide_to_size
 
 from design.body.surface_chart import FaceFrame
-from design.catalogue.hall_sensors import HALL_PARTS, hall_part
+from design.catalogue.hall_sensors import HALL_PARTS
 from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES
 from design.layout.body import body_of, face_frames
@@ -102,7 +102,7 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
 
 def _ranges_by_chip(spec: ObjectSpec) -> dict[str, list[float]]:
     """Return the ranges (mT) of the specification's own chip and of those whose noise is known."""
-    parts = {spec.sensors.part: hall_part(spec.sensors.part)} | HALL_PARTS
+    parts = {spec.sensors.part: HALL_PARTS.named(spec.sensors.part)} | HALL_PARTS
     return {
         name: [entry.range_mt for entry in part.ranges]
         for name, part in parts.items()

@@ -1,4 +1,4 @@
-"""Curves of the report: force against depth, and signal against force, by area."""
+"""Curves of the report: force against depth, and signal against force, from the border inwards."""
 
 from __future__ import annotations
 
@@ -7,43 +7,43 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice
+from design.layout.places.contact_grid import grid_places_in_lattice
 from design.layout.places.contact_places import contact_places
+from design.layout.places.measures import place_measures
 from design.spec.object import ObjectSpec
-from estimator.information.scores import area_places
+from estimator.information.weak_areas import thirds_of
 from instobj.figures.saving import save_figure
 from instobj.figures.style import BLUE, GREEN, RED
 
 if TYPE_CHECKING:
     from estimator.signals.presses import Signals
 
-_AREA_COLOURS = {"centre": BLUE, "edge": "#b08900", "mid_edge": RED, "corner": GREEN}
+_THIRDS = {
+    1: (("all locations", BLUE),),
+    2: (("nearer the border", RED), ("inner", BLUE)),
+    3: (("third nearest the border", RED), ("between", GREEN), ("innermost third", BLUE)),
+}
+"""Names and colours of the thirds of the contact locations; faces with few rows have fewer of them."""
 
 
 def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
-    """Median over faces and places of an area, the band from least to most (PNG)."""
+    """Median over the locations of a third, by their distance from the border, as the edge ratio has it; the
+    band from least to most (PNG)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 3.6), layout="constrained")
     force_axes, signal_axes = figure.subplots(1, 2)
-    grid, lattice_places = contact_grid(spec), grid_places_in_lattice(spec)
-    force = signals.force_n[:, lattice_places]
-    size = _whitened_size(spec, signals)[:, lattice_places]
-    for area, colour in _AREA_COLOURS.items():
-        masks = [
-            area_places(grid, area, face_places)  # type: ignore[arg-type]
-            for face_places in contact_places(spec)
-        ]
-        inside = np.stack(masks)
-        if not inside.any():
-            continue
-        label = area.replace("_", "-")
+    has_place, lattice_places = contact_places(spec), grid_places_in_lattice(spec)
+    force = signals.force_n[:, lattice_places][has_place]
+    size = _whitened_size(spec, signals)[:, lattice_places][has_place]
+    thirds = thirds_of(place_measures(spec).border_mm[has_place])
+    for inside, (label, colour) in zip(thirds, _THIRDS[len(thirds)], strict=True):
         _band(force_axes, signals.depth_mm, force[inside], colour, label)
         mean_force = np.median(force[inside], axis=0)
         _band(signal_axes, mean_force, size[inside], colour, label)
     force_axes.set(xlabel="indentation depth (mm)", ylabel="force (N)", title="Force and depth")
     signal_axes.set(
-        xlabel="force (N, median of the area)",
+        xlabel="force (N, median of the third)",
         ylabel="signal change (σ of a fresh baseline)",
         title="Signal of the face's own sensors",
     )

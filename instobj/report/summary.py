@@ -261,15 +261,10 @@ def _median(rows: list[dict[str, str]], name: str) -> float:
     return statistics.median(float(row[name]) for row in rows)
 
 
-_ESTIMATORS = {"faces": "network", "ridge_regression": "linear", "mean_map": "mean map"}
-
-
 def _metrics(result: StoredResult) -> list[dict[str, Any]]:
-    content = METRICS.read(result.folder)
-    rows = [
+    return [
         {
             "face": face["face"],
-            "model": title,
             "similarity": face["similarity"],
             "shift px": face["location_error_px"],
             "force error %": face["force_error_percent"],
@@ -279,10 +274,8 @@ def _metrics(result: StoredResult) -> list[dict[str, Any]]:
             "frames pressed": face["contact_frames"],
             "frames at rest": face["rest_frames"],
         }
-        for key, title in _ESTIMATORS.items()
-        for face in content[key]
+        for face in METRICS.read(result.folder)["faces"]
     ]
-    return sorted(rows, key=lambda row: row["face"])
 
 
 def _networks_in_short(result: StoredResult) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """Runs of CMA-ES joined to fewer and longer ones: a long run finds better layouts than several short ones.
 
-Measured over run lengths, seeds and tasks by `benchmarks/search_engines.py`.
+Measured over run lengths, seeds and tasks: docs/measured/layout_search.md.
 """
 
 from __future__ import annotations

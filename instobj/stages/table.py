@@ -265,7 +265,7 @@ STAGES: dict[str, Stage] = {
         version=15,
     ),
     "metrics": Stage(
-        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
+        "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=6
     ),
     "inversion": Stage(
         "estimator: tables of the forward model",
@@ -301,7 +301,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         ("magnets", "sensors", "arrangement", "silicone", "protocol.peak_force_n"),
         make_press_curves,
-        version=2,
+        version=3,
     ),
     "alternatives": Stage(
         "sensitivity: what to try next",

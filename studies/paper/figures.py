@@ -60,7 +60,7 @@ def draw_bars(
                 loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=min(len(series), 4), frameon=False,
                 fontsize=9,
             )  # fmt: skip
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def _group_bars(axes: Any, rows: list[dict[str, Any]], series: dict[str, str]) -> None:
@@ -102,7 +102,7 @@ def draw_histograms(errors: dict[str, ContactErrors], title: str, path: Path) ->
     figure.legend(
         *left.get_legend_handles_labels(), loc="outside lower center", ncols=5, frameon=False
     )
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_maps(
@@ -135,7 +135,7 @@ def draw_maps(
         bar = figure.colorbar(image, ax=axes, shrink=0.8)
         if norm is not None:
             _few_ticks(bar.ax.yaxis)
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_lines(
@@ -169,7 +169,7 @@ def draw_lines(
         ncols=4,
         frameon=False,
     )
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def draw_scatter(
@@ -189,7 +189,7 @@ def draw_scatter(
         axes.grid(alpha=0.3)
         for axis in (axes.xaxis, axes.yaxis):
             _few_ticks(axis)
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def _few_ticks(axis: Any) -> None:
@@ -199,8 +199,3 @@ def _few_ticks(axis: Any) -> None:
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axis.set_minor_locator(NullLocator())
     axis.set_major_formatter("{x:.3g}")
-
-
-def save(figure: Any, path: Path) -> None:
-    """Write a PNG, complete or absent."""
-    save_figure(figure, path)

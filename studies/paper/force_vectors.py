@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from instobj.figures.saving import save_figure
 from instobj.store.readers import PRESSES, SHEAR
 from studies.layouts import changed
-from studies.paper.figures import headline, save
+from studies.paper.figures import headline
 from studies.paper.object import (
     SIMULATED,
     SimulatedObject,
@@ -95,7 +96,7 @@ def _draw(true: np.ndarray, found: np.ndarray, title: str, path: Path) -> None:
         axes.set(xlabel=f"true {_AXES[k]} (N)", ylabel=f"estimated {_AXES[k]} (N)")
         axes.grid(alpha=0.3)
     figure.suptitle(title, fontsize=10)
-    save(figure, path)
+    save_figure(figure, path)
 
 
 STUDIES = (Study("3d-force", "Heatmaps of Fx, Fy and Fz of presses that also pull.", run_3d_force),)

@@ -92,9 +92,9 @@ def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], Con
 
 def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Linear regression beside the network and chance, on the same frames of face 1."""
-    from estimator.evaluation.evaluation import linear_baseline, mean_map_baseline
     from estimator.frames.face_data import face_data
     from estimator.metrics.heatmaps import face_metrics, force_reference
+    from studies.paper.heatmap_baselines import linear_baseline, mean_map_baseline
 
     recorded = simulated_object(spec, quick)
     face = recorded.spec.collection.faces[0]

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from design.spec.object import LARGEST_SEED
-from estimator.evaluation.contact_baselines import patches, pursued
 from studies.layouts import changed
+from studies.paper.contact_baselines import patches, pursued
 from studies.paper.figures import draw_bars, headline
 from studies.paper.grasps import (
     fitted_to_single_faces,

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from estimator.frames.contact_cases import grasp_cases, opposed, paper_cases
+from instobj.figures.saving import save_figure
 from studies.layouts import arrangements, changed
-from studies.paper.figures import PAPER_COLOUR, draw_bars, headline, save
+from studies.paper.figures import PAPER_COLOUR, draw_bars, headline
 from studies.paper.object import (
     SIMULATED,
     SimulatedObject,
@@ -211,7 +212,7 @@ def _draw_sweep(sweeps: dict[str, dict[str, np.ndarray]], title: str, path: Path
     handles = panels[0].get_legend_handles_labels()
     figure.legend(*handles, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
     figure.suptitle(title, fontsize=10)
-    save(figure, path)
+    save_figure(figure, path)
 
 
 def _draw_swap(rows: list[dict[str, Any]], title: str, path: Path) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from jaxtyping import Bool
 
 from estimator.frames.splits import split_paper_random_frames
 from studies.paper.figures import draw_maps, draw_scatter, headline
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
     from estimator.metrics.heatmaps import FaceMetrics
 
+AREAS = ("corner", "edge", "mid_edge", "centre")
+
 
 def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
     """The model of `general-performance`, judged on its single-contact test frames alone."""
@@ -37,10 +40,23 @@ def single_contact_metrics(recorded: SimulatedObject, face: int) -> FaceMetrics:
     return face_metrics(face, predicted, true, span, rest)
 
 
+def area_places(shape: tuple[int, int], area: str) -> Bool[np.ndarray, "nx ny"]:
+    """Return the places of an area of a grid: corners; edge, the outermost ring without corners; mid_edge,
+    the middle third of each side; centre, the inner 4 × 4."""
+    x, y = np.meshgrid(*map(np.arange, shape), indexing="ij")
+    from_x, from_y = (abs(k - (n - 1) / 2) for k, n in zip((x, y), shape, strict=True))
+    on_x, on_y = from_x == from_x.max(), from_y == from_y.max()
+    return {
+        "corner": on_x & on_y,
+        "edge": on_x ^ on_y,
+        "mid_edge": (on_x & (from_y <= shape[1] / 6)) | (on_y & (from_x <= shape[0] / 6)),
+        "centre": (from_x < 2) & (from_y < 2),
+    }[area]
+
+
 def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Mean errors at every place of the first face, and by area."""
     from design.layout.places.contact_grid import contact_grid
-    from estimator.information.scores import AREAS, area_places
 
     recorded = simulated_object(spec, quick)
     face = recorded.spec.collection.faces[0]
@@ -56,7 +72,7 @@ def run_location_wise(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResul
     draw_maps(shown, title, folder / "location-wise.png", more_is_better=better)
     rows = []
     for area in AREAS:
-        inside = area_places(grid, area).reshape(grid.shape) & (maps.contacts > 0)
+        inside = area_places(grid.shape, area) & (maps.contacts > 0)
         if not inside.any():
             continue
         means = {

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from instobj.figures.saving import save_figure
 from instobj.store.readers import PRESSES
 from studies.layouts import changed
-from studies.paper.figures import headline, save
+from studies.paper.figures import headline
 from studies.paper.object import (
     SIMULATED,
     SimulatedObject,
@@ -173,7 +174,7 @@ def _draw(rows: list[dict[str, Any]], objects: list[str], title: str, path: Path
     axes.margins(y=0.12)
     axes.legend(title="estimator", fontsize=8, loc="upper right")
     axes.set_title(title, fontsize=10)
-    save(figure, path)
+    save_figure(figure, path)
 
 
 STUDIES = (

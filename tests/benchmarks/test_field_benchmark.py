@@ -4,8 +4,8 @@ import pytest
 
 
 @pytest.mark.slow
-def test_quick_run_writes_rates_errors_and_a_plot(quick_run):
-    result, printed = quick_run("field", 1, ["field.json", "field.png"])
+def test_quick_run_writes_rates_and_errors(quick_run):
+    result, printed = quick_run("field", 1, ["field.json"])
     rows = {(row["nearest_mm"], row["model"], row["type"]): row for row in result["models"]}
     assert len(rows) == len(result["models"]) == 8
     for (_, model, _), row in rows.items():
@@ -14,6 +14,5 @@ def test_quick_run_writes_rates_errors_and_a_plot(quick_run):
     assert [rows[near, "multipole", "float32"]["order"] for near in (8.0, 7.0)] == [7, 9]
     # the targets are 30 and 20; a busy machine that swaps mid-run must not fail the test
     assert all(rows[near, "multipole", "float32"]["ratio"] > 5 for near in (8.0, 7.0))
-    assert [row["pairs"] for row in result["growth"]] == [1125, 10125, 49875]
     assert result["signals"]["presses"] == 1960
     assert "x magpylib" in printed

@@ -16,17 +16,3 @@ def test_quick_run_beats_the_plain_way_and_agrees_with_it(quick_run):
         assert figures["linear"][name]["median_error"] < 0.05
         assert figures["as_pressed"][name]["median_error"] < 0.15
     assert "extrapolated from these" in printed
-
-
-@pytest.mark.slow
-def test_quick_comparison_of_engines_gives_all_as_many_scorings_and_as_much_time(quick_run):
-    result, printed = quick_run("search_engines", 1, ["search_engines.json"])
-    assert len(result["figures"]) == 3
-    for task in result["figures"].values():
-        (seed,) = task["seeds"]
-        for length, engines in seed.items():
-            assert f"runs of {length} generations" in printed
-            for name in ("plain CMA-ES", "plain CMA-ES ×4", "random"):
-                assert engines[name]["scorings"] >= engines["tool"]["scorings"]
-                assert engines[name]["seconds"] >= engines["tool"]["seconds"]
-                assert f"{name}, same time" in printed

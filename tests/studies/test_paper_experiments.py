@@ -12,7 +12,7 @@ from studies.layouts import changed
 from studies.paper import amounts, general, places, reference, unseen
 from studies.paper import object as paper_object
 from studies.paper.object import SimulatedObject, metric_row
-from studies.paper.places import rank_correlation
+from studies.paper.places import AREAS, area_places, rank_correlation
 from studies.paper.published import TABLE_I, beside
 from studies.registry import studies
 from tests.support.mechanics.half_space_response import half_space_response
@@ -187,3 +187,24 @@ def test_the_chain_makes_the_hidden_twin(tmp_path, monkeypatch):
     assert recorded.mechanics.assembly.modulus_ratio != 1
     frames = recorded.collect(faces=[2])
     assert set(np.unique(frames.contact_face)) == {0, 2}
+
+
+def test_areas_of_the_papers_grid():
+    sizes = {area: int(area_places((10, 10), area).sum()) for area in AREAS}
+    assert sizes == {"corner": 4, "edge": 32, "mid_edge": 16, "centre": 16}
+    middle = area_places((10, 10), "mid_edge")
+    assert np.flatnonzero(middle[0]).tolist() == [3, 4, 5, 6]
+    assert middle[9, 3]
+    assert middle[5, 0]
+    assert not middle[2, 0]
+    assert not (area_places((10, 10), "corner") & area_places((10, 10), "edge")).any()
+
+
+def test_areas_of_a_grid_of_seven_by_six():
+    middle = np.zeros((7, 6), bool)
+    middle[np.ix_([0, -1], [2, 3])] = True  # within 6/6 rows of the middle, 2.5
+    middle[np.ix_([2, 3, 4], [0, -1])] = True  # within 7/6 columns of the middle, 3
+    np.testing.assert_array_equal(area_places((7, 6), "mid_edge"), middle)
+    centre = np.zeros((7, 6), bool)
+    centre[2:5, 1:5] = True
+    np.testing.assert_array_equal(area_places((7, 6), "centre"), centre)

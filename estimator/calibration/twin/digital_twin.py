@@ -28,13 +28,10 @@ from jaxtyping import Float
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior
+from estimator.calibration.twin.place_mechanics import PlaceMechanics
 from estimator.calibration.twin.pressed_places import PressedPlaces
-from estimator.calibration.twin.traced_presses import traced_presses
 from estimator.calibration.twin.unknowns import FARTHEST, Unknowns, most_probable, normal_equations
-from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
-from estimator.tolerances.assembly import counts_of
-from estimator.tolerances.virtual_object import twin_model
 from fem.presses.results import MagnetMotions, PressForces
 
 SIZES = (0.02, 0.05, 0.1, 0.2)
@@ -46,46 +43,6 @@ _DRAWS = 20
 """Draws from the posterior: for the modulus' spread, and tries until forces grow with depth."""
 FOLDS = 5
 """Folds of the cross-validation."""
-
-
-class PlaceMechanics:
-    """The design's presses at some places, and a little aside for magnets that sit off-centre."""
-
-    def __init__(
-        self,
-        unknowns: Unknowns,
-        forces: PressForces,
-        motions: MagnetMotions,
-        pressed: PressedPlaces,
-    ) -> None:
-        self.unknowns, self.pressed = unknowns, pressed
-        self.shape = pressed.force_n.size, len(pressed.channels)
-        self.presses = traced_presses(unknowns.spec, forces, motions, pressed.face, pressed.xy_mm)
-        if (pressed.force_n > self.presses.force_n[0][:, -1:]).any():
-            raise InputError(
-                f"labelled forces on face {pressed.face} reach {pressed.force_n.max():.3g} N, beyond the "
-                "deepest simulated press. Add to press.depths_mm, or leave them out (`within_reach`)"
-            )
-
-    def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
-        """Changes of counts of all means, at their labelled forces; NaN where forces would not grow
-        with depth."""
-        spec, pressed = self.unknowns.spec, self.pressed
-        assembly, rest = self.unknowns.assembly(numbers), self.presses.rest
-        force, motion = self.presses.assembled(assembly, self.unknowns.correction(numbers))
-        place, motion = assembly.scene, motion.reshape(-1, *rest.shape)
-        model = twin_model(spec, assembly, motion)
-        still = counts_of(spec, place, rest[None], model, pressed.face)
-        change = counts_of(spec, place, motion, model, pressed.face) - still
-        change = change.reshape(*force.shape, -1)[..., pressed.channels]
-        force, change = (
-            np.concatenate([np.zeros_like(values[:, :1]), values], axis=1)
-            for values in (force, change)
-        )
-        if np.diff(force, axis=1).min() <= 0:  # no object: a step that goes there is too long
-            return np.full(self.shape, np.nan)
-        held = np.minimum(pressed.force_n, force[:, -1:])
-        return monotone_cubic(force, change, held).reshape(self.shape)
 
 
 @dataclass(frozen=True)
@@ -137,8 +94,10 @@ class CalibratedTwin:
             signals = self.unknowns.signals(numbers, self.forces, self.motions)
             if signals is not None:
                 return self._with_discrepancy(signals, numbers, rng)
-        raise self.unknowns.no_object(
-            f"the labelled presses of face {self.discrepancy.pressed.face}"
+        raise InputError(
+            f"the labelled presses of face {self.unknowns.face} fit no object of "
+            f"{self.unknowns.spec.name!r}: its forces would fall with depth. Give the specification of the "
+            "object that was pressed, with true tolerances"
         )
 
     def _with_discrepancy(
@@ -178,19 +137,21 @@ def calibrate(
             "a twin is calibrated on the shell as it was cast; mechanics.slip says that the core "
             "slipped. Set it to 0"
         )
-    unknowns = Unknowns(spec, (pressed.face,))
+    unknowns = Unknowns(spec, pressed.face)
     mechanics = PlaceMechanics(unknowns, forces, motions, pressed)
     counts = pressed.counts.reshape(-1, len(pressed.channels))
     first = Discrepancy(spec, _FIRST, pressed)
-    numbers, here, jacobian = most_probable(mechanics, first, counts, np.zeros(len(unknowns)))
+    numbers, here, jacobian = most_probable(
+        mechanics.expected, first.weighed, counts, np.zeros(len(unknowns))
+    )
     right = counts - here + jacobian @ numbers
     choices = (
         Discrepancy(spec, Prior(size, length), pressed)
         for size, length in product(SIZES, LENGTHS_MM)
     )
     chosen = max(choices, key=lambda choice: _log_evidence(choice, jacobian, right))
-    numbers, here, jacobian = most_probable(mechanics, chosen, counts, numbers)
-    precision, _ = normal_equations(chosen, jacobian, counts - here)
+    numbers, here, jacobian = most_probable(mechanics.expected, chosen.weighed, counts, numbers)
+    precision, _ = normal_equations(chosen.weighed, jacobian, counts - here)
     factor = np.linalg.inv(np.linalg.cholesky(precision)).T
     residual = counts - here
     table = rows_of_face(forces, motions, pressed.face)
@@ -201,7 +162,7 @@ def _log_evidence(
     discrepancy: Discrepancy, jacobian: np.ndarray, right: Float[np.ndarray, "row channel"]
 ) -> float:
     """Return the log evidence of `right` under linear numbers and the process, but for a constant."""
-    precision, pull = normal_equations(discrepancy, jacobian, right)
+    precision, pull = normal_equations(discrepancy.weighed, jacobian, right)
     fitted = np.sum(right * discrepancy.weighed(right)) - pull @ np.linalg.solve(precision, pull)
     determinant = discrepancy.log_determinant + np.linalg.slogdet(precision)[1]
     return float(-0.5 * (fitted + determinant))

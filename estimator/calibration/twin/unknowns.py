@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Bool, Float
 
-from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.signals.interpolation import unresolved_presses
 from estimator.signals.press_states import motions_as_signals
@@ -33,14 +32,18 @@ _STEP, _SETTLED = 0.05, 0.05
 """Step of difference quotients, and of the fit at which it ends (standard deviations)."""
 FARTHEST = 5.0
 """Standard deviations that a number may go either way."""
+Expected = Callable[[Float[np.ndarray, "number"]], Float[np.ndarray, "row channel"]]
+"""Signals that an object of given numbers would show in labelled presses; NaN where it cannot be."""
+Weighed = Callable[[np.ndarray], np.ndarray]
+"""Inverse covariance of what no numbers explain, times values (row, channel, …)."""
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Unknowns of an object, as standard normal numbers one after the other."""
+    """Unknowns of an object and of one of its faces, as standard normal numbers one after the other."""
 
     spec: ObjectSpec
-    faces: tuple[int, ...]
+    face: int
 
     @cached_property
     def design(self) -> Assembly:
@@ -48,12 +51,12 @@ class Unknowns:
 
     @cached_property
     def free(self) -> dict[str, Bool[np.ndarray, "number"]]:
-        """Return which numbers of each contribution concern the faces, or the whole object."""
+        """Return which numbers of each contribution concern the face, or the whole object."""
         place, sizes = self.design.scene, contribution_sizes(self.design)
         free = {}
         for name in FACE_PARTS:
             owner = (place.sensors if name.startswith("sensor") else place.magnets).face
-            free[name] = np.repeat(np.isin(owner, self.faces), sizes[name] // len(owner))
+            free[name] = np.repeat(owner == self.face, sizes[name] // len(owner))
         return free | {name: np.ones(sizes[name], bool) for name in WHOLE}
 
     def __len__(self) -> int:
@@ -89,42 +92,15 @@ class Unknowns:
             return None
         return twin_signals(self.spec, self.assembly(numbers), *table)
 
-    def no_object(self, presses: str) -> InputError:
-        """Return what to say where `signals` are None."""
-        return InputError(
-            f"{presses} fit no object of {self.spec.name!r}: its forces would fall with depth. Give "
-            "the specification of the object that was pressed, with true tolerances"
-        )
-
 
 def count_at_limits(numbers: Float[np.ndarray, "number"]) -> int:
     """Return how many numbers went as far as they may."""
     return int(np.sum(abs(numbers) >= FARTHEST - 1e-6))
 
 
-@runtime_checkable
-class Mechanics(Protocol):
-    """Signals that an object of given numbers would show in labelled presses."""
-
-    def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
-        """NaN where there is no such object."""
-        ...
-
-
-@runtime_checkable
-class LeftOver(Protocol):
-    """Covariance of what no numbers explain."""
-
-    def weighed(
-        self, residual: Float[np.ndarray, "row channel *any"]
-    ) -> Float[np.ndarray, "row channel *any"]:
-        """Its inverse times values."""
-        ...
-
-
 def most_probable(
-    mechanics: Mechanics,
-    left_over: LeftOver,
+    expected: Expected,
+    weighed: Weighed,
     counts: Float[np.ndarray, "row channel"],
     numbers: Float[np.ndarray, "number"],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -136,17 +112,17 @@ def most_probable(
     def cost(residual: np.ndarray, point: np.ndarray) -> float:
         if not np.isfinite(residual).all():
             return np.inf
-        return float(np.sum(residual * left_over.weighed(residual)) + point @ point)
+        return float(np.sum(residual * weighed(residual)) + point @ point)
 
-    here = mechanics.expected(numbers)
+    here = expected(numbers)
     for _ in range(ITERATIONS):
-        jacobian = jacobian_of(mechanics, numbers, here)
-        precision, pull = normal_equations(left_over, jacobian, counts - here)
+        jacobian = jacobian_of(expected, numbers, here)
+        precision, pull = normal_equations(weighed, jacobian, counts - here)
         step = np.linalg.solve(precision, pull - numbers)
         last_cost = cost(counts - here, numbers)
         for _ in range(6):
             trial = np.clip(numbers + step, -FARTHEST, FARTHEST)
-            trial_counts = mechanics.expected(trial)
+            trial_counts = expected(trial)
             if cost(counts - trial_counts, trial) <= last_cost:
                 break
             step = step / 2
@@ -155,21 +131,21 @@ def most_probable(
         numbers, here = trial, trial_counts
         if np.abs(step).max() < _SETTLED:
             break
-    return numbers, here, jacobian_of(mechanics, numbers, here)
+    return numbers, here, jacobian_of(expected, numbers, here)
 
 
 def normal_equations(
-    left_over: LeftOver, jacobian: np.ndarray, residual: np.ndarray
+    weighed: Weighed, jacobian: np.ndarray, residual: np.ndarray
 ) -> tuple[Float[np.ndarray, "number number"], Float[np.ndarray, "number"]]:
     """Precision of the numbers, their prior included, and the pull of what is left over."""
-    weighed = left_over.weighed(jacobian)
+    weighed_slopes = weighed(jacobian)
     # 1 + Jᵀ W J, priors being standard normal: r row, c channel, n and m numbers of the twin
-    precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed)
-    return precision, np.einsum("rcn,rc->n", weighed, residual)
+    precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed_slopes)
+    return precision, np.einsum("rcn,rc->n", weighed_slopes, residual)
 
 
 def jacobian_of(
-    mechanics: Mechanics,
+    expected: Expected,
     numbers: Float[np.ndarray, "number"],
     here: Float[np.ndarray, "row channel"],
 ) -> Float[np.ndarray, "row channel number"]:
@@ -179,9 +155,9 @@ def jacobian_of(
     """
     columns = []
     for step in np.diag(np.where(numbers < FARTHEST - _STEP, _STEP, -_STEP)):
-        stepped = mechanics.expected(numbers + step)
+        stepped = expected(numbers + step)
         if not np.isfinite(stepped).all():
             step = -step
-            stepped = mechanics.expected(numbers + step)
+            stepped = expected(numbers + step)
         columns.append((stepped - here) / step.sum())
     return np.nan_to_num(np.stack(columns, axis=-1))  # hemmed in both ways: it stays

@@ -140,12 +140,11 @@ def press_basis(
     face: int,
     force_n: float | None = None,
     own_rank: int | None = None,
-    other_rank: int | None = None,
     dtype: torch.dtype = torch.float32,
 ) -> PressBasis:
     """Return the `press_bases` of one force, `score.force_n` by default."""
     forces_n = (force_n or spec.score.force_n,)
-    return press_bases(spec, motions, face, forces_n, own_rank, other_rank, dtype)[0]
+    return press_bases(spec, motions, face, forces_n, own_rank, dtype)[0]
 
 
 @one_thread()
@@ -155,7 +154,6 @@ def press_bases(
     face: int,
     forces_n: Sequence[float],
     own_rank: int | None = None,
-    other_rank: int | None = None,
     dtype: torch.dtype = torch.float32,
 ) -> tuple[PressBasis, ...]:
     """Compress the presses of one face to several forces, which share their rows.
@@ -167,8 +165,8 @@ def press_bases(
 
     Parameters
     ----------
-    own_rank, other_rank : vectors of each basis; by default as many as leave out no more than
-        `compression.LEFT_OUT`, and `OTHER_RANK`, or `MORE_RANK` times as many for several forces
+    own_rank : vectors of the face's own basis; by default as many as leave out no more than
+        `compression.LEFT_OUT`
 
     Raises
     ------
@@ -186,7 +184,7 @@ def press_bases(
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     lattice = lattices[face] if differ else motions.candidates[0]
     more = MORE_RANK if len(forces_n) > 1 else 1.0
-    ranks = own_rank, other_rank or int(more * OTHER_RANK)
+    ranks = own_rank, int(more * OTHER_RANK)
     # Quantities of one force follow those of another: 4 for each (∂x, ∂y, ∂F, the motion itself).
     of_modes = np.concatenate(
         [press_derivatives(motions, face, force, located) for force in forces_n], axis=1

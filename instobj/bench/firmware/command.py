@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from design.build.order_list import order_list, price_text
-from design.catalogue.bus_parts import BOARDS, board_named
+from design.catalogue.bus_parts import BOARDS
 from design.errors import InputError
 from design.spec_io import load_spec
 from design.wiring.bus_limits import FAST_KHZ
@@ -40,7 +40,7 @@ def write_firmware(
     spec = load_spec(spec_path, overrides)
     first = first_plan(spec) if board is None else None
     # where no board can, the first one says why
-    chosen = board_named(board or next(iter(BOARDS))) if first is None else first.board
+    chosen = BOARDS.named(board or next(iter(BOARDS))) if first is None else first.board
     plan, choice = choose_plan(spec, chosen, lead_mm, way)
     files, orders = project_files(spec, plan), order_list(spec, plan)
     require_writable(out)

@@ -4,16 +4,8 @@ from __future__ import annotations
 
 from math import ceil, radians
 
-from design.catalogue.bus_parts import (
-    MLX90393,
-    MOTION,
-    TLE493D,
-    TMAG5273,
-    BusChip,
-    Imu,
-    bus_chip,
-)
-from design.catalogue.hall_sensors import hall_part
+from design.catalogue.bus_parts import MLX90393, MOTION, TLE493D, TMAG5273, BusChip, Imu, bus_chip
+from design.catalogue.hall_sensors import HALL_PARTS
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
@@ -65,7 +57,7 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
     InputError
         A range or gain that the part's registers cannot give.
     """
-    sensors, part = spec.sensors, hall_part(spec.sensors.part)
+    sensors, part = spec.sensors, HALL_PARTS.named(spec.sensors.part)
     selected = part.range_covering(sensors.range_mt)
     if abs(sensors.counts_per_mt / selected.counts_per_mt - 1) > 0.5:
         raise InputError(

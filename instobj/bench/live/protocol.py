@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -56,18 +55,6 @@ def frames_message(
         FRAMES, *counted, head.number, head.dropped_rows, head.arrived_s, head.read_s, head.time_s
     )
     return started + b"".join(part.astype("<f4").tobytes() for part in (rows, contacts, labels))
-
-
-def read_frames_message(
-    message: bytes, channels: int
-) -> tuple[Head, Sequence[Float[np.ndarray, "_ _"]]]:
-    """Return what `frames_message` was given: head, and rows, contacts, labels (float32)."""
-    _, rows, contacts, labels, number, dropped, *times = _HEAD.unpack_from(message)
-    values, parts, start = np.frombuffer(message, "<f4", offset=_HEAD.size), [], 0
-    for count, wide in ((rows, 1 + channels), (contacts, CONTACT_WIDTH), (labels, LABEL_WIDTH)):
-        parts.append(values[start : start + count * wide].reshape(count, wide))
-        start += count * wide
-    return Head(number, dropped, *times), parts
 
 
 def state_message(state: dict[str, Any]) -> bytes:

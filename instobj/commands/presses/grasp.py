@@ -14,7 +14,6 @@ from instobj.commands.presses.loads import (
     joint_pressed,
     loads_document,
     require_no_slip,
-    response_of,
 )
 from instobj.commands.presses.places import Place, check_places, jaw_given
 from instobj.stages.run import Run
@@ -37,9 +36,6 @@ def grasp_specification(
         A bad specification, not two jaws on opposite faces, a tip that cannot be pressed, sticking
         friction, or a force that is not reached.
     """
-    from fem.presses.joint import press_tips
-    from fem.presses.to_force import press_to_force
-
     spec = load_spec(path, overrides, table=False)
     first, second = _two_jaws(spec, jaws)
     require_no_slip(spec)
@@ -53,15 +49,7 @@ def grasp_specification(
         )
     require_writable(out)
     run = Run(spec)
-    response = response_of(run)
-    tips = [place.tip for place in (*first, *second)]
-
-    def step(depths: np.ndarray) -> JointPress:
-        return press_tips(spec, response, tips, depths)
-
-    jaws_tips = ([place.tip for place in first], [place.tip for place in second])
-    final = press_to_force(spec, response, jaws_tips, force_n)
-    pressed = joint_pressed(spec, response, final, step)
+    final, pressed = joint_pressed(run, (first, second), force_n)
     label = f"grasp_{first[0].face}_{second[0].face}_{force_n:g}N"
     document = loads_document("grasp", run, pressed, (), run_folder(out, spec.name) / label)
     moment = unbalanced_moment_nmm(spec, final)

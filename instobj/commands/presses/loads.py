@@ -24,8 +24,7 @@ from instobj.store.readers import MESH, PRESS_MESH, RESPONSE
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from fem.linear.response import ResponseOperator
-    from fem.presses.joint import JointPress
+    from fem.presses.joint import JointPress, Tip
 
 _CURVE_STEPS = 16
 """Shares of the load at which the curve is computed."""
@@ -61,34 +60,45 @@ def press_loads(
     else:
         if force_n is not None:
             checked = _reachable(run, checked, force_n)
-        pressed = _frictionless(run, checked.good, force_n)
+        _, pressed = joint_pressed(run, [[place] for place in checked.good], force_n)
     label = _label(checked.good, (force_n, spec_hash(spec)))
     return loads_document(
         "press", run, pressed, checked.refused, run_folder(out, spec.name) / label
     )
 
 
-def response_of(run: Run) -> ResponseOperator:
-    """The response operator of the chain's specification."""
-
-    return run.read(RESPONSE)
-
-
 def joint_pressed(
-    spec: ObjectSpec, response: ResponseOperator, final: JointPress, step: Callable[..., JointPress]
-) -> Pressed:
-    """A joint press without friction with the way to it, and each of its indenters alone.
-
-    `step(depths)` is the joint press at depths.
-    """
+    run: Run, jaws: Sequence[Sequence[Place]], force_n: float | None
+) -> tuple[JointPress, Pressed]:
+    """Press without friction: all places to their depths, or each jaw, whose tips share a travel, to one
+    force."""
     from fem.presses.joint import press_tips
+    from fem.presses.to_force import press_to_force
 
+    spec, response = run.spec, run.read(RESPONSE)
+
+    def press(tips: Sequence[Tip], depths: np.ndarray) -> JointPress:
+        return press_tips(spec, response, tips, depths)
+
+    if force_n is None:
+        places = [place for jaw in jaws for place in jaw]
+        final = press([place.tip for place in places], np.array([p.depth_mm for p in places]))
+    else:
+        tips_of_jaws = [[place.tip for place in jaw] for jaw in jaws]
+        final = press_to_force(spec, response, tips_of_jaws, force_n)
+    return final, _with_the_way(final, press)
+
+
+def _with_the_way(
+    final: JointPress, press: Callable[[Sequence[Tip], np.ndarray], JointPress]
+) -> Pressed:
+    """A press with the way to it, and each of its indenters alone."""
     shares = np.arange(1, _CURVE_STEPS) / _CURVE_STEPS
-    curve = [*(step(share * final.depth_mm) for share in shares), final]
+    curve = [*(press(final.tips, share * final.depth_mm) for share in shares), final]
     alone = []
     if len(final.tips) > 1:
         for tip, depth in zip(final.tips, final.depth_mm, strict=True):
-            alone.append(press_tips(spec, response, [tip], np.array([depth])))
+            alone.append(press([tip], np.array([depth])))
     return Pressed(_rows(final, alone), final.motion, curve, alone)
 
 
@@ -170,23 +180,6 @@ def require_no_slip(spec: ObjectSpec) -> None:
         )
 
 
-def _frictionless(run: Run, places: Sequence[Place], force_n: float | None) -> Pressed:
-    from fem.presses.joint import press_tips
-    from fem.presses.to_force import press_to_force
-
-    spec, response = run.spec, response_of(run)
-    tips = [place.tip for place in places]
-
-    def step(depths: np.ndarray) -> JointPress:
-        return press_tips(spec, response, tips, depths)
-
-    if force_n is None:
-        final = step(np.array([place.depth_mm for place in places]))
-    else:
-        final = press_to_force(spec, response, [[tip] for tip in tips], force_n)
-    return joint_pressed(spec, response, final, step)
-
-
 def _press_over_edge(spec: ObjectSpec, place: Place, force_n: float | None) -> Pressed:
     """One press over an edge, on a mesh that is fine there."""
     from fem.presses.over_edge import edge_mesh, edge_place, edge_presser
@@ -203,9 +196,7 @@ def _press_over_edge(spec: ObjectSpec, place: Place, force_n: float | None) -> P
         final = step(np.array([place.depth_mm]))
     else:
         final = press_to_depths(spec, step, [[place.tip]], force_n)
-    shares = np.arange(1, _CURVE_STEPS) / _CURVE_STEPS
-    curve = [*(step(share * final.depth_mm) for share in shares), final]
-    return Pressed(_rows(final, []), final.motion, curve, [])
+    return _with_the_way(final, lambda _, depths: step(depths))
 
 
 def _sticking(run: Run, places: Sequence[Place], force_n: float | None) -> Pressed:
@@ -248,7 +239,7 @@ def _reachable(run: Run, checked: CheckedPlaces, force_n: float) -> CheckedPlace
     good, refused = [], list(checked.refused)
     for place in checked.good:
         try:
-            press_to_force(run.spec, response_of(run), [[place.tip]], force_n)
+            press_to_force(run.spec, run.read(RESPONSE), [[place.tip]], force_n)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:

@@ -130,7 +130,7 @@ def _presses_and_fit(context: StageContext) -> dict[str, Any]:
     pairs = [press_pair(spec, press) for press in presses]
     thickness = spec.shell.thickness_mm
     return {
-        "correction": fit_correction(pairs, thickness).to_dict(),
+        "correction": asdict(fit_correction(pairs, thickness)),
         "error": asdict(leave_one_out(pairs, thickness)),
         "presses": [_row(press) for press in presses],
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 
 from instobj.store.readers import (
@@ -31,7 +32,7 @@ def make_fabrication(context: StageContext, folder: Path) -> None:
         "printer": context.spec.printer.name,
         "silicone": context.spec.silicone.name,
         "status": worst(checked.findings),
-        "findings": [finding.as_dict() for finding in checked.findings],
+        "findings": [asdict(finding) for finding in checked.findings],
     }
     write_json(content, FINDINGS.path(folder))
 

@@ -93,9 +93,8 @@ def evaluate_networks(
 ) -> None:
     """The paper's metrics of every face's estimator on the held-out presses of its split.
 
-    `HELD_OUT_PICTURE` and `OVER_TIME_PICTURE` show what each network reads there. The constant mean
-    map, ridge regression to heatmaps, and the regressions of `estimator.evaluation.baselines` are
-    evaluated with it on the same presses.
+    `HELD_OUT_PICTURE` and `OVER_TIME_PICTURE` show what each network reads there. The regressions of
+    `estimator.evaluation.baselines` are evaluated with it on the same presses.
     """
     from dataclasses import asdict
 
@@ -105,8 +104,6 @@ def evaluate_networks(
         evaluate_face,
         evaluate_intervals,
         evaluate_travel,
-        linear_baseline,
-        mean_map_baseline,
     )
     from estimator.frames.splits import only_trained_places
     from instobj.figures.predictions import draw_over_time, draw_predictions
@@ -114,8 +111,7 @@ def evaluate_networks(
     held_out = frames.select(split.test)
     readings, answers = [], []
     rows: dict[str, list[Any]] = {
-        name: []
-        for name in ("faces", "intervals", "ridge_regression", "mean_map", "baselines", "travel")
+        name: [] for name in ("faces", "intervals", "baselines", "travel")
     }
     for model in models.values():
         step(f"face {model.face}")
@@ -126,8 +122,6 @@ def evaluate_networks(
         if frames.travel_mm is not None:
             errors = evaluate_travel(model, held_out, frames)
             rows["travel"].append({"face": model.face, **errors})
-        rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
-        rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
         answers.append(held_out_answers(model, frames, split))
         rows["baselines"] += [report.summary() for report in baseline_reports(answers[-1])]
     write_json({"split": "whole presses held out", **rows}, METRICS.path(folder))

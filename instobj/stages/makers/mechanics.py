@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 
 from instobj.stages.makers.deformation import correct_table
@@ -39,7 +40,7 @@ def make_mesh(context: StageContext, folder: Path) -> None:
     quality = mesh_quality(mesh, context.spec)
     require_quality(quality)
     save_mesh(mesh, MESH.path(folder))
-    content = {**quality.to_dict(), "mesh_sha256": mesh_sha256(mesh)}
+    content = {**asdict(quality), "mesh_sha256": mesh_sha256(mesh)}
     write_json(content, MESH_QUALITY.path(folder))
 
 
@@ -86,9 +87,7 @@ def make_discretisation(context: StageContext, folder: Path) -> None:
 
     context.step("the same presses on both meshes")
     responses = (load_response(context.inputs[name]) for name in ("response", "coarse_response"))
-    write_json(
-        discretisation_error(context.spec, *responses).to_dict(), DISCRETISATION.path(folder)
-    )
+    write_json(asdict(discretisation_error(context.spec, *responses)), DISCRETISATION.path(folder))
 
 
 def make_presses(context: StageContext, folder: Path) -> None:

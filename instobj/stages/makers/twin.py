@@ -15,8 +15,6 @@ from instobj.store.stage import Step, write_json
 
 if TYPE_CHECKING:
     from estimator.calibration.twin.digital_twin import CalibratedTwin
-    from estimator.calibration.twin.grasp_twin import GraspTwin
-    from estimator.calibration.twin.pressed_cases import PressedCases
     from estimator.calibration.twin.pressed_places import PressedPlaces
     from estimator.frames.dataset import FrameSet
     from estimator.information.shear import ShearSignals
@@ -30,8 +28,6 @@ _EXACT_PERCENT = 4.0
 _NO_GAIN = 0.8
 """Share of what the design leaves: a twin that leaves more has nothing to calibrate but noise."""
 _SHARE = 0.8
-_LESS = "train without --twin, or press more locations"
-_UNEXPLAINED = "frames will be called not explained; train networks, or measure what was built"
 Parts = tuple["FrameSet", "FrameSet"]
 
 
@@ -72,8 +68,13 @@ class TwinOfData:
         return with_presses_of_twin(parts, simulated), parts[1]
 
     def inverted(self, frames: FrameSet, step: Step) -> Inversion:
-        """The estimator that inverts the twins of all faces with enough single places in these frames, or,
-        where none has, the twin of the whole object that presses of several contacts show."""
+        """The estimator that inverts the twins of all faces with enough single places in these frames.
+
+        Raises
+        ------
+        InputError
+            No face has, or `inversion.probes` is "flat".
+        """
         from estimator.calibration.twin.inverted_twin import inverted_twin
         from estimator.calibration.twin.pressed_places import recorded_noise_counts
         from estimator.frames.heatmap import faces_pressed
@@ -93,24 +94,13 @@ class TwinOfData:
             if calibrated is not None
         }
         if not usable:
-            self.rows.clear()
-            return self._inverted_grasps(frames, step)
+            reasons = [row["helps"].removeprefix("not used: ") for row in self.rows]
+            raise InputError((reasons or ["no frame presses a face. Press places one by one"])[0])
         twins = {face: twin for face, (twin, _) in usable.items()}
         left_shares = {face: share for face, (_, share) in usable.items()}
         step("tables of presses")
         noise = recorded_noise_counts(self.spec, frames)
         return inverted_twin(self.spec, *self.presses, twins, left_shares, self.shear, noise)
-
-    def _inverted_grasps(self, frames: FrameSet, step: Step) -> Inversion:
-        from estimator.calibration.twin.grasp_twin import calibrate_on_cases
-        from estimator.calibration.twin.inverted_twin import inverted_grasps
-        from estimator.calibration.twin.pressed_cases import pressed_cases
-
-        cases = pressed_cases(self.spec, frames, self.presses[0])
-        twin = calibrate_on_cases(self.spec, *self.presses, cases, step)
-        self.rows.append(_row_of_cases(twin, cases))
-        step("tables of presses")
-        return inverted_grasps(self.spec, self.presses, twin, cases, self.shear)
 
     def calibrated(
         self, frames: FrameSet, face: int, step: Step
@@ -224,7 +214,7 @@ def _described(grid_mm: tuple[np.ndarray, np.ndarray], faces: tuple[int, ...], s
     )
 
 
-def verdict(left_percent: float, design_percent: float, strained: int, instead: str = _LESS) -> str:
+def verdict(left_percent: float, design_percent: float, strained: int) -> str:
     """Return whether presses of the twin help, from what it and the design leave of signals at four of five
     places at most.
 
@@ -246,28 +236,8 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
             f"within {left_percent:.2g} %)"
         )
     if left_percent > max(_EXACT_PERCENT, min(TRUSTED_PERCENT, design_percent / 2)):
-        return f"no: {instead}"
+        return "no: train without --twin, or press more locations"
     return "yes"
-
-
-def _row_of_cases(twin: GraspTwin, cases: PressedCases) -> dict[str, Any]:
-    """Row like `_row`'s, of presses of several contacts."""
-    left_percent, design = (100 * share for share in (twin.left_share, twin.design_share))
-    most, most_by_design = (
-        float(np.quantile(percents, _SHARE)) for percents in (left_percent, design)
-    )
-    return {
-        "faces together": ", ".join(map(str, cases.faces)),
-        "cases": len(cases),
-        "contacts a case": int(np.sum(cases.face > 0, axis=1).max()),
-        "signals left %, cases left out": round(float(np.median(left_percent)), 2),
-        "signals left %, design": round(float(np.median(design)), 2),
-        "helps": verdict(most, most_by_design, twin.strained, _UNEXPLAINED),
-        "modulus over design": round(twin.unknowns.assembly(twin.numbers).modulus_ratio, 4),
-        "numbers at their limits": twin.strained,
-        "left % of each case": np.round(left_percent, 1).tolist(),
-        "left % of each case by design": np.round(design, 1).tolist(),
-    }
 
 
 def _row(

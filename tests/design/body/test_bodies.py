@@ -8,9 +8,10 @@ from design.body.sampled import measured_distance_mm, sampled_core
 from design.layout.body import body_of, face_frames
 from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
+from design.solids.body import outer_solid
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part, sampled_shell
-from design.solids.shell import cavity, envelope, make_shell
+from design.solids.shell import cavity, make_shell
 from tests.support.objects.body_cases import BODIES, body_spec
 
 EXACT = [name for name in BODIES if name != "ellipsoid"]
@@ -43,7 +44,7 @@ def test_solids_and_formulas_have_the_volume_by_hand(name):
     spec = body_spec(name)
     assert_allclose(sealed_volume_mm3(spec), BY_HAND[name], rtol=1e-12)
     holes = cavity(spec, 0.5)
-    sealed = envelope(spec).cut(*holes) if holes else envelope(spec)
+    sealed = outer_solid(spec).cut(*holes) if holes else outer_solid(spec)
     assert_allclose(sealed.Volume(), BY_HAND[name], rtol=1e-9)
 
 

@@ -19,7 +19,6 @@ from design.catalogue.hall_sensors import (
     HALL_PARTS,
     HallPart,
     SensorRange,
-    hall_part,
     is_fine,
     wider_range,
 )
@@ -169,17 +168,17 @@ def test_hall_sensors_have_the_ranges_of_their_data_sheets():
 
 
 def test_noise_of_the_sheet_is_of_one_conversion_in_microtesla():
-    noise = hall_part("TMAG5273B1").noise
+    noise = HALL_PARTS.named("TMAG5273B1").noise
     assert (noise.counts, noise.counts_per_mt, noise.averaging) == ((125.0, 125.0, 68.0), 1e3, 1)
     assert_allclose(noise.scaled(820.0, 32), (18.12, 18.12, 9.857), rtol=1e-3)
-    assert hall_part("MLX90393").noise is None
+    assert HALL_PARTS.named("MLX90393").noise is None
 
 
 def test_a_range_that_just_holds_is_taken_and_a_wider_one_exceeds():
-    assert hall_part("TMAG5273A1").range_covering(40.0).range_mt == 40.0
-    assert hall_part("TMAG5273A1").range_covering(40.01).range_mt == 80.0
+    assert HALL_PARTS.named("TMAG5273A1").range_covering(40.0).range_mt == 40.0
+    assert HALL_PARTS.named("TMAG5273A1").range_covering(40.01).range_mt == 80.0
     with pytest.raises(InputError, match=r"80\.01 is beyond"):
-        hall_part("TMAG5273A1").range_covering(80.01)
+        HALL_PARTS.named("TMAG5273A1").range_covering(80.01)
     part, wider = wider_range("TMAG5273A1", 40.0, 80.0)
     assert (part.name[-1], wider.range_mt) == ("2", 133.0)
     assert wider_range("TMAG5273A1", 40.0, 266.0) is None

@@ -7,7 +7,7 @@ from pydantic import ValidationError
 
 from design.catalogue.bus_parts import BOARDS
 from design.catalogue.printers import PRINTERS, Printer
-from design.catalogue.tables import read_table, row_named
+from design.catalogue.tables import read_table
 from design.errors import InputError
 
 
@@ -29,8 +29,8 @@ def test_a_key_that_is_no_field_is_refused():
 
 
 def test_another_name_is_refused_with_all_names():
-    with pytest.raises(InputError, match=r"printer.name = 'laser' .* fdm-0.4.*sls, or measure"):
-        row_named(PRINTERS, "laser", "printer.name", ", or measure")
+    with pytest.raises(InputError, match=r"printer.name = 'laser' .* fdm-0.4.*sls and give your"):
+        PRINTERS.named("laser")
 
 
 def test_a_row_like_another_has_its_values_and_its_own_name():

@@ -13,9 +13,10 @@ from design.layout.surface import cast_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
 from design.mould.plug import make_mould_plug
+from design.solids.body import outer_solid
 from design.solids.booleans import convert_to_triangles, volume_mm3
 from design.solids.sampled import sampled_shell
-from design.solids.shell import cavity, envelope, make_shell
+from design.solids.shell import cavity, make_shell
 from tests.random_designs.judge import violations
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
@@ -49,7 +50,7 @@ def test_the_first_pour_is_the_formulas_and_the_mould_casts_it(name):
 def test_the_second_pour_fills_up_to_the_body_s_size(name):
     """Of a shell on its plug in the seal box."""
     spec = layered(name)
-    room = envelope(spec).cut(make_seal_mould(spec), make_mould_plug(spec), make_shell(spec))
+    room = outer_solid(spec).cut(make_seal_mould(spec), make_mould_plug(spec), make_shell(spec))
     layer = sealed_volume_mm3(spec) - make_shell(spec).Volume()
     assert_allclose(room.Volume(), layer, rtol=1e-5)
     assert not any(volume_mm3(room.intersect(solid)) > 1e-6 for solid in cavity(spec))

@@ -10,8 +10,9 @@ from design.fit.parts import distance_mm
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
+from design.solids.body import outer_solid
 from design.solids.core import make_core
-from design.solids.shell import envelope, make_shell
+from design.solids.shell import make_shell
 from design.spec_io import parse_spec
 from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
 
@@ -75,7 +76,7 @@ def test_keys_of_the_core_fill_the_shells_recesses(name):
 
 def test_the_second_pour_adds_the_layer_and_fills_the_pockets():
     spec = parsed(**LAYER)
-    poured = envelope(spec).cut(make_seal_mould(spec), make_shell(spec)).Volume()
+    poured = outer_solid(spec).cut(make_seal_mould(spec), make_shell(spec)).Volume()
     cavity = 26 * 26 * 34
     by_hand = 42**3 - cavity - shell_volume_mm3(spec)
     assert_allclose(poured - cavity, by_hand, rtol=1e-9)

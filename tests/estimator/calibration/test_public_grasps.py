@@ -4,12 +4,11 @@ pressed is not the drawing, and that is said of every frame."""
 import numpy as np
 import pytest
 
-from estimator.calibration.twin import unknowns
-from estimator.calibration.twin.grasp_twin import calibrate_on_cases
-from estimator.calibration.twin.inverted_twin import inverted_grasps
-from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
+from estimator.inversion.inversion import inversion
+from estimator.inversion.model.noise import design_error
 from estimator.recordings.reading import read_recording
+from estimator.signals.presses import press_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 
@@ -27,15 +26,11 @@ def one_tip():
 
 @pytest.fixture(scope="module")
 def estimator():
-    """Calibrated on the recording of two tips per jaw, with presses that need no mesh."""
-    forces, motions = synthetic_presses(SPEC)
-    seen = pressed_cases(SPEC, read_recording(FOLDER / NAMES[1]).frames, forces)
-    assert (len(seen), seen.faces, (seen.face > 0).sum(axis=1).tolist()) == (3, (3, 5), [4, 4, 4])
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(unknowns, "ITERATIONS", 1)
-        twin = calibrate_on_cases(SPEC, forces, motions, seen)
-    assert np.median(twin.left_share) > 0.5
-    return inverted_grasps(SPEC, (forces, motions), twin, seen)
+    """The design's, with presses that need no mesh."""
+    presses = synthetic_presses(SPEC)
+    signals = press_signals(SPEC, *presses)
+    error = design_error(SPEC, *presses, signals)
+    return inversion(SPEC, *presses, signals, error, SPEC.tolerances.modulus_relative)
 
 
 def test_no_loaded_frame_is_called_explained(estimator, one_tip):

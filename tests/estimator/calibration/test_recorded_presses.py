@@ -1,7 +1,6 @@
 """Which frames a recorded press is the mean of, and what its forces, contacts and nulls are, by hand."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +9,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.spec.object import ObjectSpec
 from estimator.calibration import recorded_presses, validation
 from estimator.calibration.recorded_presses import PredictedMotions, RecordedPresses
-from estimator.calibration.twin import grasp_twin
 from tests.support.recordings.frame_sets import frame_set
 
 SPEC = ObjectSpec(name="cube")
@@ -180,31 +178,3 @@ def test_exchanges_keep_to_cases_that_the_same_presses_predict():
     assert sampled[0].tolist() == [0, 1, 2, 3, 4]
     assert_array_equal(np.sort(sampled[:, :2], axis=1), np.tile([0, 1], (5001, 1)))
     assert np.mean(sampled[:, 0] == 1) == pytest.approx(0.5, abs=0.03)
-
-
-def seen_cases():
-    """Two cases at two levels, four channels of two chips, as means with noise."""
-    counts = np.array([[[3.0, 4.0, 0.0, 0.0], [6.0, 8.0, 0.0, 1.0]]] * 2)
-    noise = np.full(counts.shape, 0.25)
-    chip = np.array([5.0, 5.0, 0.5, 5.0]) * np.ones(counts.shape)
-    return SimpleNamespace(
-        channels=np.array([0, 1, 3, 7]), counts=counts, noise_counts2=noise, chip_counts=chip
-    )
-
-
-def test_errors_of_sensors_that_show_nothing_clear_are_the_mean_of_the_others():
-    seen = seen_cases()
-    left = np.full(seen.counts.shape, 1.5)
-    left[..., 3] = 0.4
-    errors = grasp_twin.sensor_errors.__wrapped__(seen, left, 4)[:, 0]
-    first = (1.5**2 - 0.25) / 25
-    assert_allclose(errors**2, [first, first / 2, 0.0, first / 2], atol=1e-12)
-    seen.chip_counts[..., 0] = np.sqrt(25 * 0.25)  # just not clear: the second channel tells alone
-    again = grasp_twin.sensor_errors.__wrapped__(seen, left * [9, 1, 1, 1], 4)[:, 0]
-    assert_allclose(again**2, [first, first / 2, 0.0, first / 2], atol=1e-12)
-
-
-def test_what_a_size_leaves_over_grows_with_the_levels_of_a_case():
-    left_over = grasp_twin.left_over_of.__wrapped__(seen_cases(), 0.1)
-    assert_allclose(left_over.variance[0], 0.25 + 2 * 0.01 * np.array([25, 25, 0.25, 25]))
-    assert_allclose(left_over.weighed(left_over.variance[..., None] * 3), 3.0)

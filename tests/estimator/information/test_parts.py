@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.layout.places.contact_grid import PlaceGrid
 from estimator.information import cross_face, fisher, identifiability, scores, weak_areas
 from estimator.information.fisher import cramer_rao_bounds
 from estimator.information.slip_cost import false_reading
@@ -109,49 +108,6 @@ def test_a_judgement_tells_ranks_of_sets_that_exist(monkeypatch):
     assert_allclose(found[13], 0.5)
     whole = judged("all", spec, whitened, np.array([[0], [1]]))
     assert whole[4] == 6
-
-
-GRID = PlaceGrid(np.arange(7.0), np.arange(6.0))
-
-
-def area(name, places=None):
-    return scores.area_places(GRID, name, places).reshape(7, 6)
-
-
-def test_areas_of_a_grid_of_seven_by_six():
-    ring = np.ones((7, 6), bool)
-    ring[1:-1, 1:-1] = False
-    corners = np.zeros((7, 6), bool)
-    corners[np.ix_([0, -1], [0, -1])] = True
-    assert_array_equal(area("corner"), corners)
-    assert_array_equal(area("edge"), ring & ~corners)
-    middle = np.zeros((7, 6), bool)
-    middle[np.ix_([0, -1], [2, 3])] = True  # within 6/6 rows of the middle, 2.5
-    middle[np.ix_([2, 3, 4], [0, -1])] = True  # within 7/6 columns of the middle, 3
-    assert_array_equal(area("mid_edge"), middle)
-    centre = np.zeros((7, 6), bool)
-    centre[2:5, 1:5] = True
-    assert_array_equal(area("centre"), centre)
-
-
-def test_a_face_that_is_no_rectangle_has_edges_and_no_corners():
-    places = np.ones((7, 6), bool)
-    places[0, 0] = places[0, 1] = places[3, 3] = False
-    assert not area("corner", places.ravel()).any()
-    found = area("edge", places.ravel())
-    assert not (found & ~places).any()
-    beside = np.zeros((7, 6), bool)
-    beside[[1, 0, 2, 4, 3, 3], [0, 2, 3, 3, 2, 4]] = True
-    assert found[beside].all()
-    assert not found[1, 2]
-
-
-def test_ends_along_an_axis_have_no_neighbour_on_one_side():
-    there = np.array([[1, 0], [1, 1], [1, 0], [0, 1]], bool)
-    assert_array_equal(
-        scores.end_frames(there, 0), np.array([[1, 0], [0, 1], [1, 0], [0, 1]], bool)
-    )
-    assert_array_equal(scores.end_frames(there, 1), there)
 
 
 def test_values_stand_at_the_places_that_a_face_has():

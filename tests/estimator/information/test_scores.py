@@ -7,12 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
+from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import (
-    AREAS,
-    area_places,
     load_scores_csv,
     save_scores_csv,
     score_places,
@@ -93,18 +91,6 @@ def test_places_that_do_not_reach_the_force_are_judged_at_their_largest_and_flag
     assert 0 < few.reaches_score_force.sum() < few.reaches_score_force.size
     assert_allclose(few.depth_at_score_mm[~few.reaches_score_force], 4.0, rtol=1e-9)
     assert_allclose(few.stiffness_n_per_mm * few.depth_at_score_mm, few.force_at_score_n)
-
-
-def test_areas_of_the_papers_grid():
-    grid = PlaceGrid(np.arange(10.0), np.arange(10.0))
-    sizes = {area: int(area_places(grid, area).sum()) for area in AREAS}
-    assert sizes == {"corner": 4, "edge": 32, "mid_edge": 16, "centre": 16}
-    middle = area_places(grid, "mid_edge").reshape(10, 10)
-    assert np.flatnonzero(middle[0]).tolist() == [3, 4, 5, 6]
-    assert middle[9, 3]
-    assert middle[5, 0]
-    assert not middle[2, 0]
-    assert not (area_places(grid, "corner") & area_places(grid, "edge")).any()
 
 
 def test_weakest_place_has_the_largest_bound(scores):

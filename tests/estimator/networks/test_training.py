@@ -10,7 +10,7 @@ from safetensors.torch import load_file, save_file
 
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
-from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
+from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import FaceData, face_data, live_channels
 from estimator.frames.press_protocol import with_nuisances
 from estimator.frames.splits import split_presses
@@ -26,6 +26,7 @@ from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import save_tensors
 from estimator.networks.training import face as face_training
 from estimator.networks.training.face import FitSettings, fit_estimator
+from studies.paper.heatmap_baselines import linear_baseline, mean_map_baseline
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
 QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30)

@@ -9,14 +9,13 @@ import pytest
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import (
     evaluate_face,
-    linear_baseline,
-    mean_map_baseline,
 )
 from estimator.frames.heatmap import faces_pressed
 from estimator.frames.splits import split_presses
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.combine import combine, jumps_between
 from estimator.recordings.reading import read_recording
+from studies.paper.heatmap_baselines import linear_baseline, mean_map_baseline
 from studies.recorded.rest_offset import rest_offset_baseline
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 

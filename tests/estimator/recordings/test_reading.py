@@ -1,6 +1,7 @@
 """Recordings: every fault is planted in a file made here, found and corrected."""
 
 import json
+from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -217,7 +218,7 @@ def test_report_is_printable_and_json(clean):
     text = str(clean.report)
     assert "force lag: 8 frames (corrected)" in text
     assert "grams-force" in text
-    assert json.loads(json.dumps(clean.report.as_dict()))["lag"]["frames"] == 8
+    assert json.loads(json.dumps(asdict(clean.report)))["lag"]["frames"] == 8
 
 
 def test_combine_recognises_the_same_place_in_two_files(clean, tmp_path):

@@ -7,14 +7,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.contact_grid import PlaceGrid, contact_grid
+from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, pressed_nodes
 from design.spec.object import ObjectSpec
 from estimator.frames.press_protocol import REST_PLACE_ID, nominal_peaks, simulate_presses
 from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.scores import (
-    AREAS,
-    area_places,
     load_scores_csv,
     save_scores_csv,
     score_places,
@@ -162,20 +160,3 @@ def test_frames_press_every_place_that_a_face_has_and_no_other(signals):
     peaks = nominal_peaks(BOX, signals)
     np.testing.assert_array_equal(np.isnan(peaks.force_n), ~contact_places(BOX))
     assert not peaks.clamped[~contact_places(BOX)].any()
-
-
-def test_a_border_of_steps_is_all_edge_and_a_rectangle_keeps_its_corners():
-    grid = PlaceGrid(np.arange(9.0), np.arange(9.0))
-    x, y = grid.xy_mm.T - 4
-    disk, block = x**2 + y**2 < 17, (abs(x) <= 3) & (abs(y) <= 2)
-    assert not area_places(grid, "corner", disk).any()
-    neighbours = np.array(
-        [sum(disk[k] and abs(x[k] - a) + abs(y[k] - b) == 1 for k in range(81))
-         for a, b in zip(x, y, strict=True)]
-    )  # fmt: skip
-    np.testing.assert_array_equal(area_places(grid, "edge", disk), disk & (neighbours < 4))
-    small = PlaceGrid(np.arange(7.0), np.arange(5.0))
-    for area in AREAS:
-        np.testing.assert_array_equal(
-            area_places(grid, area, block)[block], area_places(small, area)
-        )

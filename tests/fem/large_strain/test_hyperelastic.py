@@ -7,7 +7,6 @@ from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from fem.large_strain.hyperelastic import (
-    energy_density,
     first_piola_stress,
     inverse_transpose,
     neo_hookean,
@@ -15,7 +14,7 @@ from fem.large_strain.hyperelastic import (
     tangent_modulus,
     yeoh,
 )
-from tests.support.mechanics.large_strain_cases import MATERIALS
+from tests.support.mechanics.large_strain_cases import MATERIALS, energy_density
 
 STEP = 1e-5
 

@@ -4,7 +4,6 @@ import numpy as np
 
 from fem.large_strain.correction import StrainCorrection, corrected_table
 from fem.large_strain.hyperelastic import (
-    energy_density,
     first_piola_stress,
     neo_hookean,
     ogden,
@@ -12,6 +11,7 @@ from fem.large_strain.hyperelastic import (
     yeoh,
 )
 from fem.large_strain.linearity import depth_of_force_error_mm, linear_error
+from tests.support.mechanics.large_strain_cases import energy_density
 from tests.support.mechanics.odd_presses import SPEC, presses
 from tests.support.physics_pages import assert_page
 

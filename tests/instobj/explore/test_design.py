@@ -2,7 +2,7 @@
 
 import pytest
 
-from design.catalogue.hall_sensors import hall_part
+from design.catalogue.hall_sensors import HALL_PARTS
 from design.errors import InputError
 from design.spec_io import check, load_spec
 from instobj.explore.design import (
@@ -72,7 +72,7 @@ def test_another_range_has_its_gain_and_the_same_noise_in_mt(cube):
 def test_another_chip_has_its_range_gain_and_noise(cube):
     spec = load_spec(cube)
     other = changed(spec, "sensors", part="TMAG5273A2").sensors
-    part = hall_part("TMAG5273A2")
+    part = HALL_PARTS.named("TMAG5273A2")
     assert (other.range_mt, other.counts_per_mt) == (133.0, 250.0)
     assert other.noise_counts == pytest.approx(part.noise.scaled(250.0, spec.sensors.averaging))
     with pytest.raises(InputError, match=r"the catalogue has no noise of MLX90393\. Choose"):

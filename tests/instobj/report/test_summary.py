@@ -36,7 +36,7 @@ def test_a_simple_regression_that_errs_surely_less_than_the_networks_is_named(
         return {"face": 1, "name": name, "presses": 49} | errors | differences
 
     rows = [row("model", 0.4, 1.05, 0, 0), row("nearest neighbours", 0.2, 0.5, -0.3, high_n)]
-    others = ("faces", "ridge_regression", "mean_map", "intervals", "travel")
+    others = ("faces", "intervals", "travel")
     content = {name: [] for name in others}
     (tmp_path / "metrics.json").write_text(json.dumps(content | {"baselines": rows}))
     made = summarize({"metrics": StoredResult("metrics", "key", tmp_path, True, 0.0, {})})

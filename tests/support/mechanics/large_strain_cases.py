@@ -14,7 +14,7 @@ from fem.large_strain.elements import (
     internal_forces,
     tangent_blocks,
 )
-from fem.large_strain.hyperelastic import energy_density, neo_hookean, ogden, yeoh
+from fem.large_strain.hyperelastic import neo_hookean, ogden, yeoh
 from fem.large_strain.newton import PressProblem, equilibrium, motion_basis, undeformed
 from fem.large_strain.sphere_contact import contact_face, contact_state, normal_force_n
 from fem.linear.elements import (
@@ -144,6 +144,19 @@ def stretch(space, material, inverse_lambda, free, prescribed_mm, steps):
             u = u + jump + basis @ step[: basis.shape[1]]
             p, jump = p + step[basis.shape[1] :], 0 * jump
     return u, p, internal_forces(elements, material, inverse_lambda, u, p)
+
+
+def energy_density(material, deformation):
+    """W (MPa) as its formula stands in `fem.large_strain.hyperelastic`, from the principal stretches."""
+    stretches = np.linalg.svd(deformation, compute_uv=False)
+    log_volume = np.log(stretches).sum(axis=-1)
+    invariant = (stretches**2).sum(axis=-1) - 3 - 2 * log_volume
+    energy = np.zeros_like(log_volume)
+    for power, coefficient in enumerate(material.invariant_coefficients_mpa, start=1):
+        energy += coefficient * invariant**power
+    for mu, alpha in material.ogden_terms:
+        energy += mu / alpha * ((stretches**alpha).sum(axis=-1) - 3 - alpha * log_volume)
+    return energy
 
 
 def potential_energy_n_mm(

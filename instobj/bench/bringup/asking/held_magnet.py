@@ -75,10 +75,15 @@ class HeldMagnet:
         turn = np.einsum("hij,hj->hi", self.face_axes[:, :, :2], pose[:, 3:5])
         return rotate(-self.polarity[:, None] * self.face_axes[:, :, 2], turn)
 
+    @property
+    def pose_sd(self) -> Float[np.ndarray, "8"]:
+        """Return the standard deviations of a pose's prior."""
+        uniform = 1e-3 * TURNED_COUNTS_UT * self.counts_per_mt
+        return np.r_[[HAND_MM] * 3, [HAND_RAD] * 2, [uniform] * 3]
+
     def off_prior(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold 8"]:
         """Pose over the standard deviations of its prior."""
-        uniform = 1e-3 * TURNED_COUNTS_UT * self.counts_per_mt
-        return pose / np.r_[[HAND_MM] * 3, [HAND_RAD] * 2, [uniform] * 3]
+        return pose / self.pose_sd
 
 
 @cached_geometry

@@ -7,13 +7,12 @@ all gains together cannot be separated: gains are relative to the median channel
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.optimize import least_squares
 
+from estimator.calibration.most_probable import MostProbable, Unknown, Values, most_probable
 from instobj.bench.bringup.diagnosis.channels import Arrangement, HeldReadings, model_error
 from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound
 
@@ -23,21 +22,20 @@ _DEAD_SHARE = 0.3
 """An axis that answers with less than this share of what its field would give says nothing."""
 _TREMOR_SHARE = 0.004
 """Error of a mean field by the hand's tremor, over the field."""
-_STEP, _SETTLED = 1e-4, 1e-6
-"""Step of the difference quotients, and relative change of the unknowns at which the fit ends."""
+_LEAST_SEAT_MM = 1e-3
+"""Standard deviation of a chip's seat, at least: with none the fit could not take steps of it."""
+_SETTLED = 1e-6
+"""Relative change of the unknowns at which the fit ends."""
 
 
 def chips_found(readings: HeldReadings, arrangement: Arrangement) -> list[ChipFound]:
     """Chips by name: turned by any angle, with dead axes, gains and their intervals."""
     turns, dead = linear_chips(readings, arrangement)
     alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
-    problem = JointFit.start_from(alive, replace(arrangement, turn=turns))
-    slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
-    fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
-    matrix, covariance = problem.matrices(fit.x), np.linalg.inv(fit.jac.T @ fit.jac)
-    gain, interval = relative_gains(
-        matrix, covariance[problem.gains, problem.gains], problem.is_read
-    )
+    fit = joint_fit(alive, replace(arrangement, turn=turns))
+    matrix = np.eye(3) + fit.values["gain_error"]
+    is_read = np.asarray(np.isfinite(alive.counts).any(axis=0))
+    gain, interval = relative_gains(matrix, fit.covariance("gain_error"), is_read)
     turned = [
         orthogonal_part(rows, dead[chip], arrangement.turn[chip])
         for chip, rows in enumerate(matrix @ turns)
@@ -98,114 +96,29 @@ def orthogonal_part(
     return left @ right
 
 
-@dataclass(frozen=True)
-class JointFit:
-    """The fit of everything at once.
+def joint_fit(readings: HeldReadings, arrangement: Arrangement) -> MostProbable:
+    """Poses (`pose`, in the standard deviations of their priors), and of every chip G (`gain_error`) and its
+    seat (`seat_mm`), fitted together from the arrangement on."""
+    model, site = arrangement.model, arrangement.site
+    field_size = np.linalg.norm(model.counts(arrangement.pose), axis=2)[:, site, None]
+    error = np.hypot(_TREMOR_SHARE * field_size, readings.noise_counts)
+    unknowns = {
+        "pose": Unknown(1.0, arrangement.pose.shape),
+        "gain_error": Unknown(_OPEN, (len(site), 3, 3)),
+        "seat_mm": Unknown(max(readings.seat_mm, _LEAST_SEAT_MM), (len(site), 3)),
+    }
 
-    Unknowns: poses (hold, 8), then of every chip G (3, 3) row by row, then its seat (3).
+    def misfit(values: Values) -> Float[np.ndarray, "hold chip 3"]:
+        moved = np.zeros_like(values["seat_mm"])
+        moved[site] = values["seat_mm"]
+        fields = model.counts(values["pose"] * model.pose_sd, moved)[:, site]
+        # h hold, c chip, b designed axis of its site, a channel
+        matrices = (np.eye(3) + values["gain_error"]) @ arrangement.turn
+        expected = np.einsum("cab,hcb->hca", matrices, fields)
+        return np.nan_to_num((readings.counts - expected) / error)
 
-    Attributes
-    ----------
-    error : standard deviation of each reading
-    is_read : channels that say something
-    """
-
-    readings: HeldReadings
-    arrangement: Arrangement
-    error: Float[np.ndarray, "hold chip 3"]
-    is_read: Bool[np.ndarray, "chip 3"]
-
-    @staticmethod
-    def start_from(readings: HeldReadings, arrangement: Arrangement) -> JointFit:
-        size = np.linalg.norm(arrangement.model.counts(arrangement.pose), axis=2)[
-            :, arrangement.site, None
-        ]
-        error = np.hypot(_TREMOR_SHARE * size, readings.noise_counts)
-        is_read = np.asarray(np.isfinite(readings.counts).any(axis=0))
-        return JointFit(readings, arrangement, error, is_read)
-
-    @property
-    def chips(self) -> int:
-        return len(self.arrangement.site)
-
-    @property
-    def poses(self) -> int:
-        return self.arrangement.pose.size
-
-    @property
-    def start(self) -> Float[np.ndarray, "unknown"]:
-        return np.concatenate([self.arrangement.pose.ravel(), np.zeros(12 * self.chips)])
-
-    @property
-    def gains(self) -> slice:
-        """Return where G stands among the unknowns."""
-        return slice(self.poses, self.poses + 9 * self.chips)
-
-    def matrices(self, unknown: Float[np.ndarray, "unknown"]) -> Float[np.ndarray, "chip 3 3"]:
-        """1 + G of every chip."""
-        return np.eye(3) + unknown[self.gains].reshape(-1, 3, 3)
-
-    def residuals(self, unknown: Float[np.ndarray, "unknown"]) -> Float[np.ndarray, "residual"]:
-        """Whitened readings (0 where there is none), then priors."""
-        pose, seat = self._split(unknown)
-        # h hold, c chip, b field along a chip axis, a channel
-        expected = np.einsum("cab,hcb->hca", self.matrices(unknown), self._turned(pose, seat))
-        off = (self.readings.counts - expected) / self.error
-        seats = seat / self._seat_mm
-        priors = (self.arrangement.model.off_prior(pose), unknown[self.gains] / _OPEN, seats)
-        return np.concatenate([np.nan_to_num(off).ravel(), *(prior.ravel() for prior in priors)])
-
-    def slopes(
-        self, unknown: Float[np.ndarray, "unknown"]
-    ) -> Float[np.ndarray, "residual unknown"]:
-        """Each pose moves its own hold alone and each chip's numbers its own channels."""
-        pose, seat = self._split(unknown)
-        field, matrix = self._turned(pose, seat), self.matrices(unknown)
-        holds, chips = len(pose), self.chips
-        h, c = np.arange(holds), np.arange(chips)
-        of_pose = np.zeros((holds, chips, 3, holds, 8))
-        of_gain = np.zeros((holds, chips, 3, chips, 3, 3))
-        of_seat = np.zeros((holds, chips, 3, chips, 3))
-        for k in range(8):
-            change = (self._turned(pose + _STEP * np.eye(8)[k], seat) - field) / _STEP
-            # Pose k of hold h changes the readings of this hold alone; a seat or a gain, those of its chip.
-            of_pose[h, :, :, h, k] = np.einsum("cab,hcb->hca", matrix, change)
-        for k in range(3):
-            change = (self._turned(pose, seat + _STEP * np.eye(3)[k]) - field) / _STEP
-            of_seat[:, c, :, c, k] = np.einsum("cab,hcb->cha", matrix, change)
-            of_gain[:, c, k, c, k, :] = field
-        weight = np.where(np.isnan(self.readings.counts), 0.0, -1 / self.error)[..., None]
-        parts = [part.reshape(holds, chips, 3, -1) for part in (of_pose, of_gain, of_seat)]
-        slope = (weight * np.concatenate(parts, axis=-1)).reshape(-1, len(unknown))
-        return np.concatenate([slope, np.diag(self._prior_weights)])
-
-    @property
-    def _prior_weights(self) -> Float[np.ndarray, "unknown"]:
-        pose = self.arrangement.model.off_prior(np.ones_like(self.arrangement.pose)).ravel()
-        gains, seats = (
-            np.full(9 * self.chips, 1 / _OPEN),
-            np.full(3 * self.chips, 1 / self._seat_mm),
-        )
-        return np.concatenate([pose, gains, seats])
-
-    @property
-    def _seat_mm(self) -> float:
-        return max(self.readings.seat_mm, 1e-3)
-
-    def _split(
-        self, unknown: Float[np.ndarray, "unknown"]
-    ) -> tuple[Float[np.ndarray, "hold 8"], Float[np.ndarray, "chip 3"]]:
-        return unknown[: self.poses].reshape(-1, 8), unknown[self.gains.stop :].reshape(-1, 3)
-
-    def _turned(
-        self, pose: Float[np.ndarray, "hold 8"], seat: Float[np.ndarray, "chip 3"]
-    ) -> Float[np.ndarray, "hold chip 3"]:
-        """Field counts of every chip along its own axes, as turned, with gains of 1."""
-        moved = np.zeros_like(seat)
-        moved[self.arrangement.site] = seat
-        fields = self.arrangement.model.counts(pose, moved)[:, self.arrangement.site]
-        # From designed chip axes b to those of the chip as it is turned, a
-        return np.einsum("cab,hcb->hca", self.arrangement.turn, fields)
+    start = {"pose": model.off_prior(arrangement.pose)}
+    return most_probable(misfit, unknowns, start, xtol=_SETTLED)
 
 
 def relative_gains(

@@ -98,7 +98,7 @@ def left_over(signals, truth, seen):
 
 
 def test_places_never_pressed_are_predicted(presses, truth, seen, twin):
-    design = twin_signals(SPEC, unknowns.Unknowns(SPEC, (FACE,)).design, *presses)
+    design = twin_signals(SPEC, unknowns.Unknowns(SPEC, FACE).design, *presses)
     planned, calibrated = (left_over(one, truth, seen) for one in (design, twin.signals()))
     assert planned > 0.08
     assert calibrated < 0.25 * planned

@@ -7,16 +7,11 @@ import pytest
 from numpy.testing import assert_allclose
 from sklearn.gaussian_process.kernels import Matern
 
+from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.twin import (
-    digital_twin,
-    discrepancy,
-    inverted_twin,
-    pressed_cases,
-)
+from estimator.calibration.twin import digital_twin, discrepancy
 from estimator.calibration.twin.digital_twin import left_share, rows_of_face
 from estimator.calibration.twin.pressed_places import PressedPlaces
-from estimator.inversion.model.whitening import whitening
 from fem.presses.results import MagnetMotions, PressForces
 
 
@@ -34,19 +29,6 @@ def test_fields_grow_with_the_force_and_its_square_over_ten_newton():
     assert_allclose(found, [[[0, 0], [0.5 + 2.5, 1 - 1], [11, -2]]])
 
 
-def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_force():
-    force = np.full((7, 2, 3), np.nan)
-    force[:, :, 2] = [[5, 1], [2, 2], [9, 9], [3, np.nan], [1, 1], [8, 8], [0.5, 1]]
-    frames = SimpleNamespace(
-        place_id=np.array([4, 4, 4, 4, 4, 5, 4]),
-        contact_face=np.where(np.isnan(force[:, :, 2]), 0, 3),
-        force_n=force,
-    )
-    usable = np.array([True, True, False, True, True, True, True])
-    found = pressed_cases.whole_case.__wrapped__(frames, usable, 4)
-    assert found.tolist() == [6, 4, 1, 0]
-
-
 def test_the_presses_of_one_face_are_cut_out_of_all():
     from design.layout.places.contact_grid import PlaceGrid
 
@@ -62,55 +44,6 @@ def test_the_presses_of_one_face_are_cut_out_of_all():
     assert_allclose(forces.force_n, force[1:])
     assert_allclose(forces.contact_area_mm2, 2 * force[1:])
     assert_allclose(motions.motion, motion[1:])
-
-
-class FiveChannels:
-    """A model of two faces whose contacts each have slopes of their own, and no other field."""
-
-    signals = SimpleNamespace(faces=np.array([2, 5]))
-    channels = 5
-    slopes = np.random.default_rng(4).normal(size=(3, 5))
-
-    def singles(self, face, contact):
-        values = np.zeros((*face.shape, 4, self.channels))
-        values[face != -1, 1:] = self.slopes
-        values[face != -1, 1:] *= (1 + contact[face != -1][:, 2])[:, None, None]
-        return values
-
-
-def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_step():
-    """One contact on face 5 at two levels, and none beside it: rms of its step in its own standard
-    deviations, over its three parameters; the channel with gaps counts for nothing."""
-    model, rng = FiveChannels(), np.random.default_rng(5)
-    seen = SimpleNamespace(
-        force_n=np.array([[[1.0, 0.0], [3.0, 0.0]]]),
-        face=np.array([[5, 0]]),
-        xy_mm=np.zeros((1, 2, 2)),
-        channels=np.array([0, 1, 2, 4]),
-        counts=rng.normal(size=(1, 2, 4)),
-    )
-    residual = rng.normal(size=(1, 2, 4))
-    sigma = np.array([1.0, 2.0, 0.5, 1e9, 3.0])
-    columns = rng.normal(size=(5, 1))
-
-    def observed(counts):
-        assert np.isnan(counts[:, 3]).all()
-        assert_allclose(counts[:, [0, 1, 2, 4]], seen.counts[0])
-        return SimpleNamespace(white=whitening(np.tile(sigma, (2, 1)), columns))
-
-    inversion = SimpleNamespace(model=model, disturbances=SimpleNamespace(observed=observed))
-    found = inverted_twin.region_excess.__wrapped__(
-        inversion, SimpleNamespace(residual=residual), seen
-    )
-    squares, told = [], [0, 1, 2, 4]
-    covariance = np.diag(sigma[told] ** 2) + columns[told] @ columns[told].T
-    unit = np.linalg.inv(np.linalg.cholesky(covariance))
-    for level, force in enumerate((1.0, 3.0)):
-        jacobian = unit @ (model.slopes * (1 + force))[:, told].T
-        wrong = unit @ residual[0, level]
-        step, *_ = np.linalg.lstsq(jacobian, wrong, rcond=None)
-        squares.append(step @ jacobian.T @ jacobian @ step / 3)
-    assert_allclose(found, np.sqrt(np.mean(squares)), rtol=1e-6)
 
 
 def pressed(places=7):
@@ -158,16 +91,12 @@ def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
         asked.append(numbers)
         return None if len(asked) <= impossible else "signals"
 
-    def no_object(what):
-        return ValueError(what)
-
     twin = SimpleNamespace(
         numbers=np.array([0.5, -0.25]),
         factor=np.array([[1e-3, 0.0], [2e-3, 1e-3]]),
-        unknowns=SimpleNamespace(signals=signals, no_object=no_object),
+        unknowns=SimpleNamespace(signals=signals, face=4, spec=SimpleNamespace(name="made")),
         forces=None,
         motions=None,
-        discrepancy=SimpleNamespace(pressed=SimpleNamespace(face=4)),
         _with_discrepancy=lambda made, numbers, rng: (made, numbers),
     )
     told = digital_twin.CalibratedTwin.signals.__wrapped__
@@ -179,12 +108,12 @@ def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
         assert_allclose(numbers, draws[-1])
         assert (made, len(asked)) == ("signals", impossible + 1)
     else:
-        with pytest.raises(ValueError, match="labelled presses of face 4"):
+        with pytest.raises(InputError, match="presses of face 4 fit no object of 'made'"):
             told(twin, np.random.default_rng(7))
         assert len(asked) == 20
     asked.clear()
     if impossible:
-        with pytest.raises(ValueError, match="face 4"):
+        with pytest.raises(InputError, match="face 4"):
             told(twin, None)
     else:
         assert_allclose(told(twin, None)[1], twin.numbers)

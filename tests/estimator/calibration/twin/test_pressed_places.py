@@ -8,14 +8,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.calibration.twin.pressed_places import (
     PressedPlaces,
     drift_rate,
     pressed_places,
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
-from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec
 from tests.support.recordings.frame_sets import frame_set
 
 
@@ -103,16 +102,3 @@ def test_drift_grows_over_its_time_and_half_the_frames_that_follow_a_zero():
     assert DRIFT_TIME_S == 900
     rate = 30.0**2 / 900
     assert_allclose(drift_rate(spec), rate)
-
-
-def test_a_channel_with_a_gap_in_any_frame_of_a_case_is_left_out():
-    """Two gaps: the second in a place of too few frames, which is no case."""
-    spec = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
-    frames = made_frames(spec, [12, 16, 11, 12])
-    frames.signal_counts[17, 1, 2, 1] = frames.signal_counts[30, 1, 0, 0] = np.nan
-    forces, _ = synthetic_presses(spec)
-    found = pressed_cases(spec, frames, forces)
-    assert found.channels.tolist() == [9, 10, 11, 12, 13, 14, 15, 17]
-    assert_allclose(found.xy_mm[:, 0], [[-6, 0], [-3, 0], [3, 0]])
-    assert np.isfinite(found.counts).all()
-    assert found.counts.shape == (3, 4, 8)

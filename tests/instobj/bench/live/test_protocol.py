@@ -6,7 +6,8 @@ import struct
 import numpy as np
 from numpy.testing import assert_array_equal
 
-from instobj.bench.live.protocol import Head, frames_message, read_frames_message, state_message
+from instobj.bench.live.protocol import Head, frames_message, state_message
+from tests.support.live_frames import read_frames_message
 
 
 def message_of(rows=3, contacts=2, labels=1, channels=6):

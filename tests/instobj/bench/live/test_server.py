@@ -11,10 +11,10 @@ from design.spec.object import ObjectSpec
 from estimator.calibration.resting import channel_names
 from instobj.bench.live import server
 from instobj.bench.live.contacts import Found
-from instobj.bench.live.protocol import read_frames_message
 from instobj.bench.live.server import Page, application
 from instobj.bench.live.watch import Reading, Watch
 from instobj.viewer.served import is_loopback
+from tests.support.live_frames import read_frames_message
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)

@@ -233,28 +233,6 @@ def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
     assert undecided.polarity.tolist() == [1.0, 1.0, 1.0]
 
 
-def test_slopes_of_the_joint_fit_are_those_of_differences():
-    """Of chips exchanged and turned, with a gap among the readings."""
-    readings, model, pose = made_up()
-    rng = np.random.default_rng(3)
-    site, turn = rng.permutation(CHIPS), signed_permutations()[rng.integers(48, size=CHIPS)]
-    problem = chip_fit.JointFit.start_from(
-        readings, channels.Arrangement(site, turn, model, pose, 0.0)
-    )
-    at = problem.start + 0.05 * rng.normal(size=len(problem.start))
-    slopes = problem.slopes(at)
-    way = rng.normal(size=len(at))
-    step = 1e-4 * way
-    differences = (problem.residuals(at + step) - problem.residuals(at - step)) / 2e-4
-    assert_allclose(slopes @ way, differences, rtol=2e-3, atol=2e-3 * abs(differences).max())
-    assert len(at) == 3 * 8 + 12 * CHIPS
-    priors = problem.residuals(at)[-len(at) :]
-    gains, seat = at[24 : 24 + 9 * CHIPS], at[24 + 9 * CHIPS :]
-    assert_allclose(priors[24 : 24 + 9 * CHIPS], gains / 0.3)
-    assert_allclose(priors[24 + 9 * CHIPS :], seat / readings.seat_mm)
-    assert_allclose(problem.matrices(at)[1], np.eye(3) + gains[9:18].reshape(3, 3))
-
-
 def test_gains_stand_over_their_median_and_intervals_are_of_differences_to_the_mean():
     """Two chips; of the second only X answers, and errors of all entries are alike and free."""
     matrix = np.stack([np.diag([1.0, 1.1, 1.2]), np.diag([1.3, 9.0, 9.0])])

@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.evaluation import contact_baselines
 from estimator.frames.dataset import FrameSet
 from estimator.networks import face_model
+from studies.paper import contact_baselines
 
 NAN = np.nan
 
