@@ -57,7 +57,7 @@ class JawFace:
         part = self._part(edges_mm)
         bears = self._forces(part, np.array([1.0, *lean]))
         force = float(bears.sum())
-        motion = np.tensordot(part.on_all(bears), self.motion, 1)
+        motion = np.tensordot(part.spread_over_face(bears), self.motion, 1)
         return force, bears @ part.centre_mm / force, motion
 
     def motion_of_newton(
@@ -69,8 +69,8 @@ class JawFace:
         bears = self._forces(part, np.array([1.0, *lean]))
         slopes = np.column_stack([part.forces(bears > 0)[:, 1:], part.slopes_by_edges(bears, lean)])
         # V = Σ b m / Σ b of forces b and motions m per newton, so V' = (Σ b' m − V Σ b') / Σ b
-        every = np.column_stack([bears, slopes]).T
-        motion, force = np.tensordot(part.on_all(every), self.motion, 1), every.sum(axis=1)
+        rows = np.column_stack([bears, slopes]).T
+        motion, force = np.tensordot(part.spread_over_face(rows), self.motion, 1), rows.sum(axis=1)
         per_newton = motion[0] / force[0]
         return per_newton, (motion[1:] - force[1:, None, None] * per_newton) / force[0]
 
@@ -145,7 +145,7 @@ class _Part:
 
     @cached_property
     def _firmer(self) -> Float[np.ndarray, "cell"]:
-        """What is added to each cell's depth per newton on itself, as a part of it bears the newton."""
+        """Return how much deeper each cell sinks per newton on itself where it is covered in part."""
         return self._own * (1 / self.share - 1)
 
     def block(self, chosen: Int[np.ndarray, "chosen"]) -> Float[np.ndarray, "chosen chosen"]:
@@ -157,13 +157,17 @@ class _Part:
 
     def sunk_mm(self, force: Float[np.ndarray, "cell"]) -> Float[np.ndarray, "cell"]:
         """Return the depths of all cells under forces on them."""
-        return (self.jaw.mm_per_newton @ self.on_all(force))[self.cells] + self._firmer * force
+        return (self.jaw.mm_per_newton @ self.spread_over_face(force))[
+            self.cells
+        ] + self._firmer * force
 
-    def on_all(self, rows: Float[np.ndarray, "*row cell"]) -> Float[np.ndarray, "*row all_cells"]:
+    def spread_over_face(
+        self, rows: Float[np.ndarray, "*row cell"]
+    ) -> Float[np.ndarray, "*row all_cells"]:
         """Return the same on all cells of the face: cheaper than to take matrices apart."""
-        every = np.zeros((*rows.shape[:-1], len(self.jaw.motion)))
-        every[..., self.cells] = rows
-        return every
+        spread = np.zeros((*rows.shape[:-1], len(self.jaw.motion)))
+        spread[..., self.cells] = rows
+        return spread
 
     def forces(self, bears: Bool[np.ndarray, "cell"]) -> Float[np.ndarray, "cell 3"]:
         """Forces of each of the three depths where some cells bear: kept, as leans ask for them again."""
