@@ -10,12 +10,13 @@ with an exact model. Then 40 objects of each body are drawn within `[tolerances]
 inversion reads them ("design"). Two of each body are also read by their twins ("twin"), calibrated on
 simulated presses of 25 places a face, and by exact models of the drawn objects ("exact"): what no twin can
 better. Beside them stands how often the tip that shows least can be seen at all.
-Finished bodies are kept, and an interrupted run goes on from them. The mechanics come from the store, or are
-made first. Writes `turned_object.json`.
+Finished bodies are kept until all are, and an interrupted run goes on from them. The mechanics come from
+the store, or are made first. Writes `turned_object.json`.
 """
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -295,6 +296,7 @@ def main() -> None:
     form = "quick" if options.quick else f"of_{options.frames}"
     parts = parts_folder("turned_object", form, options, {"machine": machine(1, [])})
     conclude("turned_object", options, measure(options.quick, options.frames, parts), report)
+    shutil.rmtree(parts)
 
 
 if __name__ == "__main__":
