@@ -66,6 +66,9 @@ class LiveContacts:
         _ = Tracker(self.inversion).feed(change).position_radius_mm
         # what several contacts need takes a fifth of a second to build
         _ = self.inversion.model.pair_counts
+        # what jaws are sought from takes a third of a second a face
+        for table in self.inversion.jaw_tables:
+            self.inversion.jaws.parts(table.face)
 
     def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
         """Take the zero again from the frames that follow, with nothing pressed, or the level given.

@@ -6,8 +6,8 @@ hides below the noise. A still level becomes the zero
 
 - at once, when it reads as less than 15 % of the largest force of a press that ended within the last
   5 s: silicone shows hysteresis of up to 10 %, and a new mounting shifts the rest;
-- at once, when the step from the still level before is the whole press turned round: then the press was
-  let go, however far chips drifted while it lasted, as a step has the press's shape and drift has none;
+- at once, when the step from the still level before is the whole press turned round, and what is left reads
+  as no press: then it was let go, however far chips drifted while it lasted, as drift has no press's shape;
 - at once, when no press explains it, but the zero read from it is one: then the zero was taken
   while something touched;
 - by at most 1 count/s, when it reads as no contact: drift.
@@ -203,8 +203,10 @@ class RestZero:
             return
         change = level - self.level
         still = self.read(change, len(self.window))
-        let_go, self._held = self._is_let_go(level), level
         pressed = still.contact >= 0.5 and still.explained is not False
+        # the step to a press elsewhere is like the press that it replaces: cosine 0.7 of equal ones
+        replaced = pressed and still.force_n > RETURN_SHARE * self._press_n
+        let_go, self._held = not replaced and self._is_let_go(level), level
         if pressed and still.force_n > self._press_n:
             self._press_n, self._press = still.force_n, change
         if let_go:

@@ -49,7 +49,7 @@ MANY_FRAMES = 100
 """Fewest frames for which a graphics card saves time."""
 _QUIET = 0.5
 """p value that the truth exceeds in one of two frames."""
-_SURE, _DOUBTFUL = 1.5, -3.0
+SURE, _DOUBTFUL = 1.5, -3.0
 """Log of the odds of jaws over tips from which they are read, 4 to 1: weak tips came to 7 to 1 once in 126
 frames. And from which they make tips less certain, 1 to 20."""
 KNOWN_FORCE_SPREAD = 0.3
@@ -226,12 +226,14 @@ class Inversion:
         """Return a frame's jaws in place of its tips."""
         return jaw_set(fit, tips).with_force_error(self.disturbances.force_error)
 
-    def weighed(self, fit: JawFit, tips: ContactSets, log_evidence: float) -> ContactSets:
-        """Return jaws in place of a frame's tips where they are far more probable; else tips, as uncertain as
-        jaws make them."""
+    def weighed(
+        self, fit: JawFit, tips: ContactSets, log_evidence: float, least: float = SURE
+    ) -> ContactSets:
+        """Return jaws in place of a frame's tips where the log of their odds exceeds `least`; else tips, as
+        uncertain as jaws make them."""
         jaws = self.jaw_reading(fit, tips)
         log_odds = fit.log_evidence - _evidence_of_all(tips, log_evidence)
-        if self._flat or log_odds > _SURE:
+        if self._flat or log_odds > least:
             return jaws
         return tips if log_odds < _DOUBTFUL else doubted(tips, jaws, float(expit(log_odds)))
 

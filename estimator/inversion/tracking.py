@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float
 from estimator.inversion.condition import Condition, object_condition
 from estimator.inversion.evidence import joint_covariance
 from estimator.inversion.explained import UNEXPLAINED, p_values
-from estimator.inversion.inversion import Inversion
+from estimator.inversion.inversion import SURE, Inversion
 from estimator.inversion.jaws import JawFit
 from estimator.inversion.lying import log_evidence_without, lying_chip_beside, lying_chips
 from estimator.inversion.magnets import BesideMagnet
@@ -36,6 +36,8 @@ _WORSE = 0.1
 _LEARNT_EVERY = 5
 """Interval, in pressed frames, at which the error of the model is learnt, and at which contacts that go on
 are weighed against a magnet, two frames later: that takes more time than the rest of a frame."""
+_GROWN = 2.0
+"""Factor by which the force of jaws has grown where they are weighed against tips again."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 _TRUSTED_AFTER = 8
@@ -54,9 +56,10 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     sought again; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for. A chip without which a frame is explained that is not with it is left out, and
-    the field of a magnet near by is a nuisance where that is more probable than contacts: until
-    several frames in a row are explained as they are.
+    were looked for. All are sought too where the force of jaws has doubled, and in the second, fourth,
+    eighth, … frame near a magnet: light contacts are weak evidence of either. A chip without which a frame
+    is explained that is not with it is left out, and the field of a magnet near by is a nuisance where that
+    is more probable than contacts: until several frames in a row are explained as they are.
 
     A core that slipped shows in frames at rest; from then on what the slip adds is taken off, and what is
     uncertain of it is a nuisance.
@@ -79,6 +82,7 @@ class Tracker:
         self._jaws: tuple[JawFit, ContactSets] | None = None
         self._rival: JawFit | None = None
         self.beside_magnet = False
+        self._weighed_n, self._beside_for = 0.0, 0
         self.slip: Slip | None = None
         self._resting: deque[np.ndarray] = deque(maxlen=REST_FRAMES)
         self._unjudged = 0
@@ -181,7 +185,8 @@ class Tracker:
         return replace(sets, chip_out=np.full(1, self._chip_out))
 
     def _follow_jaws(self, plain: Observations) -> ContactSets | None:
-        """Return the jaws of the frame before refitted; None where they no longer explain what is seen."""
+        """Return the jaws of the frame before refitted, or tips that are far more probable once the force has
+        grown; None where neither explains what is seen."""
         if self._jaws is None:
             return None
         (last, reading), self._jaws, self._last = self._jaws, None, None
@@ -190,6 +195,16 @@ class Tracker:
         if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
             return None
         sets = self.inversion.jaw_reading(fit, reading)
+        if force.sum() > _GROWN * self._weighed_n:
+            self._weighed_n, self.seen_anew = float(force.sum()), self.seen_anew + 1
+            sought = self.inversion.search.contacts(plain)
+            best = sought.best()
+            problems, odds = sought.problems.select(best), sought.odds[best]
+            tips = self.inversion.reading(plain, problems, odds, self._error)
+            sets = self.inversion.weighed(fit, tips, float(sought.log_evidence[best][0]), -SURE)
+            if not sets.jaws[0]:
+                self._last = problems
+                return sets
         self._jaws = fit, sets
         return sets
 
@@ -210,7 +225,7 @@ class Tracker:
             return tips
         sets = self.inversion.weighed(fit, tips, evidence)
         if sets.jaws[0]:
-            self._jaws = fit, sets
+            self._jaws, self._weighed_n = (fit, sets), float(fit.values[:, 2].sum())
         elif sets is not tips:
             self._rival = fit
         return sets
@@ -227,17 +242,27 @@ class Tracker:
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
     def _believe_again(self, plain: Observations) -> None:
-        """Believe all once the last contacts have explained several frames in a row as they are."""
+        """Believe all once the last contacts have explained several frames in a row as they are, or contacts
+        sought from scratch explain one better than a magnet."""
         if self._chip_out == NONE and not self.beside_magnet:
             return
         refitted = self._same(plain)
         explains = p_values(plain, refitted)[0] >= _STRAINED
+        search = self.inversion.search
+        beside = BesideMagnet(plain, self.inversion.lookalike_columns)
         if self.beside_magnet and explains:
-            search = self.inversion.search
-            beside = BesideMagnet(plain, self.inversion.lookalike_columns)
             alone = search.judged(refitted).log_evidence
             explains = (alone > beside.log_evidence(search, refitted)).all()
         self._sound = self._sound + 1 if explains else 0
+        self._beside_for += self.beside_magnet
+        due = self._beside_for > 1 and not self._beside_for & (self._beside_for - 1)
+        if self.beside_magnet and not explains and due:
+            self.seen_anew += 1
+            sought = search.contacts(plain)
+            sought = sought.select(sought.best())
+            explains = p_values(plain, sought.problems)[0] >= _STRAINED
+            if explains and not beside.explains_with_fewer(search, sought)[0]:
+                refitted, self._sound = sought.problems, _GONE_AFTER
         if self._sound >= (_GONE_AFTER if self.beside_magnet else _TRUSTED_AFTER):
             self._chip_out, self.beside_magnet = NONE, False
             self._last, self._sound = refitted, 0
@@ -299,7 +324,7 @@ class Tracker:
     ) -> ContactSets:
         """Return contacts from given ones, or from scratch, with another belief of chips and magnets."""
         self._chip_out, self.beside_magnet = chip, magnet
-        self._last, self._sound = contacts, 0
+        self._last, self._sound, self._beside_for = contacts, 0, 0
         return self._followed(self._seen(plain))
 
     def _followed(self, observations: Observations) -> ContactSets:

@@ -54,31 +54,48 @@ class JawFace:
         from the middle to the edge at +x and at +y, over the depth at the middle: at −1 and 1 the jaw just
         leaves an edge.
         """
-        edges = self.whole_mm if edges_mm is None else edges_mm
-        part = _part(self, *edges.ravel().tolist())
-        pressure = self._pressure(part, np.array([1.0, *lean]))
-        bears = pressure * part.moments[:, 0]
+        part = self._part(edges_mm)
+        bears = self._forces(part, np.array([1.0, *lean]))
         force = float(bears.sum())
-        motion = np.tensordot(bears, self.motion[part.cells], 1)
+        motion = np.tensordot(part.spread_over_face(bears), self.motion, 1)
         return force, bears @ part.centre_mm / force, motion
 
-    def _pressure(self, part: _Part, depth: Float[np.ndarray, "3"]) -> Float[np.ndarray, "cell"]:
-        """Pressures on the cells of a part; the cells that bear are sought from those of the press before."""
-        gap = -part.moments @ depth
+    def motion_of_newton(
+        self, lean: Float[np.ndarray, "2"], edges_mm: Float[np.ndarray, "axis end"]
+    ) -> tuple[Float[np.ndarray, "magnet 6"], Float[np.ndarray, "shape magnet 6"]]:
+        """Motions per newton, and their derivatives by both leans and by the edges, low and high along x,
+        then along y (per mm)."""
+        part = self._part(edges_mm)
+        bears = self._forces(part, np.array([1.0, *lean]))
+        slopes = np.column_stack([part.forces(bears > 0)[:, 1:], part.slopes_by_edges(bears, lean)])
+        # V = Σ b m / Σ b of forces b and motions m per newton, so V' = (Σ b' m − V Σ b') / Σ b
+        rows = np.column_stack([bears, slopes]).T
+        motion, force = np.tensordot(part.spread_over_face(rows), self.motion, 1), rows.sum(axis=1)
+        per_newton = motion[0] / force[0]
+        return per_newton, (motion[1:] - force[1:, None, None] * per_newton) / force[0]
+
+    def _part(self, edges_mm: Float[np.ndarray, "axis end"] | None) -> _Part:
+        edges = self.whole_mm if edges_mm is None else edges_mm
+        return _part(self, *edges.ravel().tolist())
+
+    def _forces(self, part: _Part, depth: Float[np.ndarray, "3"]) -> Float[np.ndarray, "cell"]:
+        """Forces on the cells of a part; the cells that bear are sought from those of the press before."""
+        gap = -part.depths @ depth
         rounding = _ROUNDING * abs(gap).max()
         bears = self._bears[part.cells]
         for _ in range(MAX_SWITCHES):
-            pressure = part.pressures(bears) @ depth
-            switched = np.where(bears, pressure > 0, part.compliance @ pressure + gap < -rounding)
+            force = part.forces(bears) @ depth
+            switched = force > 0
+            if not bears.all():
+                switched = np.where(bears, switched, part.sunk_mm(force) + gap < -rounding)
             if (switched == bears).all():
                 break
             bears = switched
         else:  # a set that cycles
-            (pressure,) = contact(
-                part.compliance, gap, part.moments[:, 0], np.zeros(1)
-            ).pressure_mpa
-        self._bears[part.cells] = pressure > 0
-        return pressure
+            block = part.block(np.arange(len(gap)))
+            (force,) = contact(block, gap, np.ones(len(gap)), np.zeros(1)).pressure_mpa
+        self._bears[part.cells] = force > 0
+        return force
 
     @cached_property
     def _bears(self) -> Bool[np.ndarray, "cell"]:
@@ -88,6 +105,11 @@ class JawFace:
         """
         return np.ones(len(self.compliance), bool)
 
+    @cached_property
+    def mm_per_newton(self) -> Float[np.ndarray, "cell cell"]:
+        """Return the mean depth of each cell per newton on each."""
+        return self.compliance / (4 * self.half_mm.prod() / CELLS**2) ** 2
+
 
 @dataclass(frozen=True, eq=False)
 class _Part:
@@ -95,31 +117,94 @@ class _Part:
 
     Attributes
     ----------
-    cells, centre_mm, compliance : of its cells
-    moments : (cell, 3) ∫ depth dA over the cells, of a unit of depth at the middle and of depths gained
-        towards +x and +y
+    jaw, edges_mm : the face, and low and high edge of the part along x and y
+    cells, centre_mm, size_mm : of what is covered of its cells
+    share : of each cell that is covered
     """
 
+    jaw: JawFace
+    edges_mm: Float[np.ndarray, "axis end"]
     cells: Int[np.ndarray, "cell"]
     centre_mm: Float[np.ndarray, "cell 2"]
-    compliance: Float[np.ndarray, "cell cell"]
-    moments: Float[np.ndarray, "cell 3"]
+    size_mm: Float[np.ndarray, "cell 2"]
+    share: Float[np.ndarray, "cell"]
 
-    def pressures(self, bears: Bool[np.ndarray, "cell"]) -> Float[np.ndarray, "cell 3"]:
-        """Pressures of each of the three depths where some cells bear: kept, as leans ask for them again."""
+    @cached_property
+    def depths(self) -> Float[np.ndarray, "cell 3"]:
+        """Depths at the cells, of a unit at the middle and of depths gained towards +x and +y."""
+        away = (self.centre_mm - self.edges_mm.mean(axis=1)) / self._half_mm
+        return np.column_stack([np.ones(len(away)), away])
+
+    @property
+    def _half_mm(self) -> Float[np.ndarray, "2"]:
+        return np.diff(self.edges_mm)[:, 0] / 2
+
+    @cached_property
+    def _own(self) -> Float[np.ndarray, "cell"]:
+        return self.jaw.mm_per_newton.diagonal()[self.cells]
+
+    @cached_property
+    def _firmer(self) -> Float[np.ndarray, "cell"]:
+        """Return how much deeper each cell sinks per newton on itself where it is covered in part."""
+        return self._own * (1 / self.share - 1)
+
+    def block(self, chosen: Int[np.ndarray, "chosen"]) -> Float[np.ndarray, "chosen chosen"]:
+        """Return depths per newton of some of the cells."""
+        index = self.cells[chosen]
+        block = self.jaw.mm_per_newton.take(index, axis=0).take(index, axis=1)
+        block[range(len(index)), range(len(index))] += self._firmer[chosen]
+        return block
+
+    def sunk_mm(self, force: Float[np.ndarray, "cell"]) -> Float[np.ndarray, "cell"]:
+        """Return the depths of all cells under forces on them."""
+        return (self.jaw.mm_per_newton @ self.spread_over_face(force))[
+            self.cells
+        ] + self._firmer * force
+
+    def spread_over_face(
+        self, rows: Float[np.ndarray, "*row cell"]
+    ) -> Float[np.ndarray, "*row all_cells"]:
+        """Return the same on all cells of the face: cheaper than to take matrices apart."""
+        spread = np.zeros((*rows.shape[:-1], len(self.jaw.motion)))
+        spread[..., self.cells] = rows
+        return spread
+
+    def forces(self, bears: Bool[np.ndarray, "cell"]) -> Float[np.ndarray, "cell 3"]:
+        """Forces of each of the three depths where some cells bear: kept, as leans ask for them again."""
         key = bears.tobytes()
         if key not in self._solved:
-            pressures = np.zeros(self.moments.shape)
-            (index,) = np.nonzero(bears)
-            if len(index):
-                block = self.compliance.take(index, axis=0).take(index, axis=1)
-                pressures[index] = solve_positive(block, self.moments[index])
-            self._solved[key] = pressures
+            self._solved[key] = self._solve(bears, self.depths)
         return self._solved[key]
 
     @cached_property
     def _solved(self) -> dict[bytes, Float[np.ndarray, "cell 3"]]:
         return {}
+
+    def _solve(
+        self, bears: Bool[np.ndarray, "cell"], depths: Float[np.ndarray, "cell k"]
+    ) -> Float[np.ndarray, "cell k"]:
+        """Return the forces of some depths where some cells bear."""
+        forces = np.zeros(depths.shape)
+        (index,) = np.nonzero(bears)
+        if len(index):
+            forces[index] = solve_positive(self.block(index), depths[index])
+        return forces
+
+    def slopes_by_edges(
+        self, force: Float[np.ndarray, "cell"], lean: Float[np.ndarray, "2"]
+    ) -> Float[np.ndarray, "cell edge"]:
+        """Return the derivatives of the cells' forces by the four edges, where the same cells bear."""
+        sides, away = [], self.depths[:, 1:]
+        for axis, end in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            out, half = 2 * end - 1, self._half_mm[axis]
+            border = self.centre_mm[:, axis] + out * self.size_mm[:, axis] / 2
+            strip = abs(border - self.edges_mm[axis, end]) < _ROUNDING * half
+            # (c + diag(own (1/share − 1))) force = depth, by the edge: `away` changes with the part's middle
+            # and half; of cells that the edge cuts the middle moves half as far, share grows by its 1/size
+            moved = ((strip - 1) / 2 - out * away[:, axis] / 2) / half
+            grown = np.where(strip, out / self.size_mm[:, axis], 0.0)
+            sides.append(lean[axis] * moved + self._own / self.share * grown * force)
+        return self._solve(force > 0, np.column_stack(sides))
 
 
 @lru_cache(maxsize=16)
@@ -127,19 +212,13 @@ def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float
     """The part between four edges (mm); slopes of a fit ask for one part again and again."""
     edges = np.array([[x_low, x_high], [y_low, y_high]])
     (x, x_width), (y, y_width) = map(_covered_mm, jaw.half_mm, edges)
-    area = np.multiply.outer(x_width, y_width).ravel()
-    share = area / (4 * jaw.half_mm.prod() / CELLS**2)
+    share = np.multiply.outer(x_width, y_width).ravel() / (4 * jaw.half_mm.prod() / CELLS**2)
     (used,) = np.nonzero(share > _LEAST_SHARE)
-    area, share = area[used], share[used]
-    centre = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)[used]
-    compliance = jaw.compliance.take(used, axis=0).take(used, axis=1)
+    column, row = used // CELLS, used % CELLS
+    centre = np.column_stack([x[column], y[row]])
+    size = np.column_stack([x_width[column], y_width[row]])
     # a cell that is covered in part bears as much less than a whole one at the same depth
-    diagonal = share * compliance.diagonal()
-    compliance = compliance * np.multiply.outer(share, share)
-    np.fill_diagonal(compliance, diagonal)
-    away = (centre - edges.mean(axis=1)) / (np.diff(edges)[:, 0] / 2)
-    moments = np.column_stack([area, away * area[:, None]])
-    return _Part(used, centre, compliance, moments)
+    return _Part(jaw, edges, used, centre, size, share[used])
 
 
 def face_cells(half_mm: Float[np.ndarray, "2"], count: int) -> Patches:

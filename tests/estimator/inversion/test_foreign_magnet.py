@@ -27,6 +27,7 @@ from tests.support.turned_frames import (
     expected_counts,
     foreign_magnets_t,
     magnets_field_t,
+    read_out,
     zeroed_counts,
 )
 
@@ -132,6 +133,23 @@ def test_light_presses_are_no_magnets():
         believed.append(np.mean(found.explained & right(found, face)))
     assert believed[1] > 0.4, "else nothing is to be lost"
     assert believed[0] > believed[1] - 0.05
+
+
+@pytest.mark.parametrize("seed", [0, 1, 5])
+def test_a_grasp_of_six_tips_that_began_as_a_magnet_is_read_once_it_is_strong(seed):
+    """Three on each of two faces, from 1 to 17 N a face: light ones pass for a magnet."""
+    rng = np.random.default_rng(seed)
+    face_n = np.concatenate([np.linspace(1, 17, 10), np.full(6, 17.0)])
+    face, contact = np.tile([2, 2, 2, 4, 4, 4], (16, 1)), np.zeros((16, 6, 3))
+    places = 12 * np.array([(-0.45, -0.45), (0.45, -0.45), (0.0, 0.45)])
+    contact[:, :, :2] = np.concatenate([places + rng.uniform(-3.6, 3.6, 2) for _ in range(2)])
+    contact[:, :, 2] = face_n[:, None] / 3
+    rest, pressed = (magnets_field_t(SPEC, motion) for motion in (STILL, motion_of(face, contact)))
+    counts = read_out(SPEC, pressed, rng) - read_out(SPEC, rest, rng).mean(axis=0)
+    tracker = Tracker(inverted())
+    read = [tracker.feed(frame) for frame in counts]
+    assert not tracker.beside_magnet
+    assert all(sets.explained[0] and sets.number[0] >= 4 for sets in read[-4:])
 
 
 def nothing_seen(frames):

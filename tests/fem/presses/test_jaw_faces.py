@@ -43,6 +43,26 @@ def test_a_pose_is_the_press_of_the_tilted_jaw(jaw, rigid_spec, rigid_response, 
     assert_allclose(depth * motion[:, :3], pressed.motion[:, :3], rtol=0, atol=0.01 * largest)
 
 
+@pytest.mark.parametrize(
+    ("lean", "edges"),
+    [((0.1, -0.2), (-21.0, 21.0, -21.0, 21.0)), ((1.3, 0.4), (-8.3, 13.1, -20.2, 5.7))],
+)
+def test_slopes_of_motions_are_those_of_presses_near_by(jaw, lean, edges):
+    """Motions per newton by two leans and four edges, as differences inwards of them; the second leaves cells
+    that it covers."""
+
+    def of_newton(shape):
+        force, _, motion = jaw.press(shape[:2], shape[2:].reshape(2, 2))
+        return motion / force
+
+    shape = np.array([*lean, *edges])
+    per_newton, slopes = jaw.motion_of_newton(shape[:2], shape[2:].reshape(2, 2))
+    assert_allclose(per_newton, of_newton(shape), rtol=1e-12)
+    for slope, way in zip(slopes, 1e-5 * np.diag([1, 1, 1, -1, 1, -1]), strict=True):
+        expected = (of_newton(shape + way) - per_newton) / way.sum()
+        assert_allclose(slope, expected, rtol=0, atol=1e-4 * abs(expected).max())
+
+
 @pytest.mark.parametrize(("covered", "tolerance"), [(1.0, 0.06), (0.5, 0.13)])
 def test_bounds_are_those_of_the_information_of_tilted_presses(
     jaw, rigid_spec, rigid_response, covered, tolerance
