@@ -215,14 +215,6 @@ def split_loads(rows):
     return [forces[part] for part in parts if down[part[0]]]
 
 
-def test_a_pull_beyond_the_limit_stops_the_feed(tmp_path):
-    """The sign of the load cell is wrong, or its cable is torn: pressing reads as pulling."""
-    with bench(law=lambda depth, xy: -10 * hertz(depth, xy)) as made:
-        with pytest.raises(InputError, match="more than the limit"):
-            rig(options(made, tmp_path), yes)
-        require_tip_up(made)
-
-
 def by_place(rows):
     names = sorted({(row["cell1_x1_mm"], row["cell1_y1_mm"]) for row in rows})
     return [[row for row in rows if (row["cell1_x1_mm"], row["cell1_y1_mm"]) == n] for n in names]
