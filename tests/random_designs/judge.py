@@ -66,7 +66,7 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     resource.setrlimit(resource.RLIMIT_CPU, (int(started + MOST_S) + 1, hard))
     try:
         tables = GENERATORS[question["generator"]](question["seed"], Path(question["folder"]))
-        outcome, why = _outcome(tables)
+        outcome, why = outcome_of(tables)
     except Exception:
         outcome, why = "crash", traceback.format_exc(limit=-4)
     seconds = time.process_time() - started
@@ -80,7 +80,7 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _outcome(tables: draw.Tables | None) -> tuple[str, str]:
+def outcome_of(tables: draw.Tables | None) -> tuple[str, str]:
     if tables is None:
         return "too small", ""
     try:

@@ -449,10 +449,10 @@ FAULTS = {
     "reset to zero, unlocked": (machine_does(reset_to_zero, in_press), RESET),
     "reset to zero while stopping": (machine_does(reset_to_zero, stopping), "NOT raised"),
     "alarm in a press": (
-        machine_does(lambda machine: machine._alarm(1), in_press),
+        machine_does(lambda machine: machine.alarm(1), in_press),
         "could NOT be raised",
     ),
-    "soft limit in a press": (machine_does(lambda machine: machine._alarm(2), in_press), UP),
+    "soft limit in a press": (machine_does(lambda machine: machine.alarm(2), in_press), UP),
     "a line refused": (
         machine_does(lambda machine: machine.refuse.append(2), in_press),
         f"error:2.*{UP}",

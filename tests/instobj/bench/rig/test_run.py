@@ -266,7 +266,7 @@ def drop_some(made):
 
 FAULTS = {
     "alarm": (
-        lambda made: made.machine._alarm(1),
+        lambda made: made.machine.alarm(1),
         r"ALARM:1 \(a limit switch.*could NOT be raised",
     ),
     "reset": (lambda made: made.machine.power_on(), r"was reset.*could NOT be raised"),
