@@ -563,7 +563,7 @@ AT_MARLIN = {
 """Faults of sensors that are as with a Grbl, and those of the machine in Marlin's words."""
 
 
-@pytest.mark.parametrize("name", slow_where_alike(AT_MARLIN))
+@pytest.mark.parametrize("name", slow_where_alike(AT_MARLIN, ALIKE | {"position frozen"}))
 def test_no_fault_drives_a_tip_on_marlin_into_the_object(tmp_path, name):
     bench = Bench(dialect="marlin")
     FAULTS[name][0](bench)
