@@ -9,6 +9,7 @@ from __future__ import annotations
 import resource
 import time
 import traceback
+from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -52,6 +53,11 @@ _MEETING = [("core", f"mould_{part}") for part in ("plug", "box", "half_a", "hal
 _FIRST = ("mould_box", "mould_half_a", "mould_half_b")
 _SEAL = ("mould_seal_box", "mould_seal_half_a", "mould_seal_half_b")
 _MOULD = (*_FIRST, *_SEAL, "mould_plug", "mould_holder")
+
+
+def work_of(work: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the work itself: a process of its own has nothing to prepare."""
+    return work
 
 
 def judged(question: dict[str, Any]) -> dict[str, Any]:
