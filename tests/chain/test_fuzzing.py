@@ -7,7 +7,6 @@ import dataclasses
 import gc
 import hashlib
 import itertools
-import json
 import os
 import signal
 import sys
@@ -15,7 +14,6 @@ import tomllib
 from contextlib import contextmanager
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 import tomli_w
@@ -39,8 +37,7 @@ from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.table import LARGEST_FORCE_N
 from instobj.commands.readings import is_data_set
-from instobj.store.content import stored
-from tests.support.foreign_hdf5 import FOREIGN, sealed
+from tests.support.foreign_hdf5 import sealed
 from tests.support.forked_reader import forking, said_in_fork
 from tests.support.mutations import damaged_bytes, damaged_tables, damaged_text
 from tests.support.recordings.generic_csv import write_generic_csv
@@ -270,20 +267,6 @@ def test_damaged_signals(suffix, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("make", FOREIGN, ids=lambda make: make.__name__)
-def test_recordings_that_reach_outside_of_their_file(make, tmp_path):
-    """In place of the forces of a sound recording, with a checksum as anybody can append it."""
-    recording, _ = sound_files(tmp_path, ".nc")
-    with h5py.File(recording, "a") as file:
-        del file["cell_force_n"]
-        make(file, tmp_path)
-    recording.write_bytes(sealed(recording.read_bytes()))
-    assert fault_of(recording) is None
-    with pytest.raises(InstobjError, match=FOREIGN[make]):
-        read_recording(recording)
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("suffix", SURFACES)
 def test_damaged_surfaces(suffix, tmp_path, monkeypatch):
     """Read in forks of one process; that these read the same shows the sound file."""
@@ -295,41 +278,6 @@ def test_damaged_surfaces(suffix, tmp_path, monkeypatch):
         for one, other in zip(alone, read_surface(sound), strict=True):
             np.testing.assert_array_equal(one, other)
         assert_no_faults(tmp_path, itertools.islice(damaged, CASES))
-
-
-@pytest.mark.slow
-def test_a_damaged_store_gives_the_same_results(tmp_path):
-    rng = np.random.default_rng(SEED)
-    content = {"table.json": json.dumps({"a": [1.5] * 200}).encode(), "array.bin": rng.bytes(9000)}
-
-    def make(folder):
-        for name, data in content.items():
-            (folder / name).write_bytes(data)
-
-    for case in range(CASES):
-        result = stored(tmp_path, "stage", {"case": case % 7}, make)
-        files = sorted(result.folder.iterdir())
-        target = files[rng.integers(len(files))]
-        target.write_bytes(damaged_bytes(target.read_bytes(), rng))
-        again = stored(tmp_path, "stage", {"case": case % 7}, make)
-        assert {name: (again.folder / name).read_bytes() for name in content} == content, case
-
-
-LONG_NUMBERS = {
-    "integer": "name = 'big'\nseed = " + "7" * 5000,
-    "float": "name = 'big'\n[shell]\nthickness_mm = " + "7" * 5000 + ".5",
-    "in an array": "name = 'big'\n[magnets]\npositions_mm = [[0, " + "7" * 5000 + "]]",
-    "beyond a machine's": "name = 'big'\nseed = " + "9" * 21,
-}
-
-
-@pytest.mark.parametrize("text", LONG_NUMBERS.values(), ids=LONG_NUMBERS)
-def test_numbers_of_thousands_of_digits(text, tmp_path):
-    """Python reads no integer of more than 4300 digits."""
-    (tmp_path / "big.toml").write_text(text)
-    assert fault_of(tmp_path / "big.toml") is None
-    with pytest.raises(InstobjError):
-        read_specification(tmp_path / "big.toml")
 
 
 @pytest.mark.parametrize("path", sorted(CORPUS.iterdir()), ids=lambda path: path.name)

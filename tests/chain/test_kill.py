@@ -62,7 +62,7 @@ def _run_search(journal: Path) -> None:
     searched(journal, **SEARCH)
 
 
-def _contents(store: Path) -> dict[str, str]:
+def contents(store: Path) -> dict[str, str]:
     run = Run(SPEC, root=store)
     run.require("scores")
     return {stage: result.content for stage, result in run.results.items()}
@@ -84,14 +84,14 @@ def _begun(first: Path, store: Path) -> Path:
 def first(tmp_path_factory):
     """A store with a whole run, and the content of its results."""
     store = tmp_path_factory.mktemp("first") / "store"
-    return store, _in_child(_contents, store)
+    return store, _in_child(contents, store)
 
 
 def assert_nothing_is_lost(store: Path, expected: dict[str, str]) -> None:
     """What is stored is whole, and the next run keeps it and gives the same."""
     kept = entries(store, by_hash=True)
     assert {entry.state for entry in kept} <= {"result"}
-    assert _in_child(_contents, store) == expected
+    assert _in_child(contents, store) == expected
     assert {entry.folder for entry in kept} <= {entry.folder for entry in entries(store)}
 
 
@@ -162,7 +162,7 @@ def test_a_full_disk_is_one_clear_error_and_with_room_the_run_goes_on(first, tmp
     try:
         store = _begun(begun, disk / "store")
         with pytest.raises(InstobjError, match="room"):
-            _in_child(_contents, store)
+            _in_child(contents, store)
         subprocess.run(["mount", "-o", "remount,size=1g", disk], check=True)
         assert_nothing_is_lost(store, expected)
     finally:
@@ -173,9 +173,9 @@ APART = ("unshare", "--pid", "--uts", "--fork", "--mount-proc")
 HOST = """
 import socket, sys
 from pathlib import Path
-from tests.chain.test_kill import _contents
+from tests.chain import test_kill
 socket.sethostname(sys.argv[2])
-print(sorted(_contents(Path(sys.argv[1])).items()))
+print(sorted(test_kill.contents(Path(sys.argv[1])).items()))
 """
 
 

@@ -103,7 +103,7 @@ class Server:
             if test not in known and any(test.startswith(f"tests/{name}/") for name in packages):
                 files.setdefault(test.split("::")[0], []).append(test)
         for tests in files.values():
-            said = self._fork(None, tests, anew=False, most_s=LEARNT_S)
+            said = self.in_fork(None, tests, anew=False, most_s=LEARNT_S)
             failed = [] if said.failed is None else [said.failed or tests[0]]
             took_s = said.seconds() | dict.fromkeys(failed, LEARNT_S)
             for test in took_s:
@@ -130,7 +130,7 @@ class Server:
         while left and not by and spent_s < most_s:
             batch = _of_near_files(left) if anew else left
             with planted(self.root, fault):
-                said = self._fork(fault, batch, anew, most_s - spent_s)
+                said = self.in_fork(fault, batch, anew, most_s - spent_s)
             if said.has("in no function"):
                 anew, reached = True, True
                 continue
@@ -152,11 +152,11 @@ class Server:
     def _sound(self, test: str, anew: bool) -> bool:
         if (test, anew) not in self.sound:
             self.sound[test, anew] = (
-                self._fork(None, [test], anew, self.clock.most_s).failed is None
+                self.in_fork(None, [test], anew, self.clock.most_s).failed is None
             )
         return self.sound[test, anew]
 
-    def _fork(self, fault: Fault | None, tests: list[str], anew: bool, most_s: float) -> Said:
+    def in_fork(self, fault: Fault | None, tests: list[str], anew: bool, most_s: float) -> Said:
         scratch = Path(tempfile.mkdtemp(prefix="planted_"))
         notes = Notes(scratch / "notes", most_s)
         child = os.fork()

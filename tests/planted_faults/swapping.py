@@ -68,7 +68,7 @@ def swap(root: Path, fault: Fault, reached: Callable[[], None]) -> bool:
         function.__code__ = code
         function.__globals__[_MARK] = functools.cache(reached)
     for kept in gc.get_objects():
-        if isinstance(kept, functools._lru_cache_wrapper):
+        if isinstance(kept, functools._lru_cache_wrapper):  # noqa: SLF001  Python names it so
             kept.cache_clear()
     return bool(functions)
 

@@ -125,7 +125,7 @@ def test_what_tests_call_is_learnt_once_and_of_new_tests_later(tmp_path, monkeyp
         events = [("begins", tests[0], 1.0), ("passes", tests[0], 3.0), ("fails", tests[1], 4.0)]
         return Said([*events, ("ends", tests[1], 4.0)], calls={tests[0]: {("fem.a", "g")}})
 
-    monkeypatch.setattr(Server, "_fork", fork)
+    monkeypatch.setattr(Server, "in_fork", fork)
     tests = [
         f"tests/{name}" for name in ("fem/t.py::1", "fem/t.py::2", "fem/t.py::3", "chain/t.py::4")
     ]

@@ -17,11 +17,11 @@ import time
 from pathlib import Path
 from typing import Any
 
+from instobj.search.apart import WorkerProcess, WorkerTimeout
 from tests.random_designs.draw import kind_of
-from tests.random_designs.judge import GENERATORS, judged
+from tests.random_designs.judge import GENERATORS, judged, work_of
 from tests.random_designs.new_requests import asked
 from tests.random_designs.summary import summary, summary_of_requests
-from tests.support.building_apart import Apart
 
 _REQUESTS = "new"
 _PATIENCE_S = 6 * 3600.0
@@ -45,7 +45,7 @@ def main() -> None:
         )
     left = [s for s in range(given.first, given.first + given.count) if s not in rows]
     of_requests = given.generator == _REQUESTS
-    apart, started = Apart(asked if of_requests else judged), time.monotonic()
+    apart, started = WorkerProcess(work_of, asked if of_requests else judged), time.monotonic()
     with given.table.open("a") as file, tempfile.TemporaryDirectory() as folder:
         for number, seed in enumerate(left, start=1):
             if time.monotonic() - started > given.seconds:
@@ -63,11 +63,11 @@ def main() -> None:
     print((summary_of_requests if of_requests else summary)(list(rows.values())))
 
 
-def _row(apart: Apart, generator: str, seed: int, folder: str) -> dict[str, Any]:
+def _row(apart: WorkerProcess, generator: str, seed: int, folder: str) -> dict[str, Any]:
     question = {"generator": generator, "seed": seed, "folder": folder}
     try:
         return apart.ask(question, _PATIENCE_S)
-    except AssertionError as error:
+    except WorkerTimeout as error:
         outcome = "slow" if _GIVEN_UP in str(error) else "crash"
         row = {"generator": generator, "seed": seed, "kind": kind_of(seed), "outcome": outcome}
         return row | {"seconds": None, "why": str(error)}

@@ -9,6 +9,7 @@ from __future__ import annotations
 import resource
 import time
 import traceback
+from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -54,6 +55,11 @@ _SEAL = ("mould_seal_box", "mould_seal_half_a", "mould_seal_half_b")
 _MOULD = (*_FIRST, *_SEAL, "mould_plug", "mould_holder")
 
 
+def work_of(work: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the work itself: a process of its own has nothing to prepare."""
+    return work
+
+
 def judged(question: dict[str, Any]) -> dict[str, Any]:
     """What became of the seed in `question`, of the generator named there, in processor seconds.
 
@@ -66,7 +72,7 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     resource.setrlimit(resource.RLIMIT_CPU, (int(started + MOST_S) + 1, hard))
     try:
         tables = GENERATORS[question["generator"]](question["seed"], Path(question["folder"]))
-        outcome, why = _outcome(tables)
+        outcome, why = outcome_of(tables)
     except Exception:
         outcome, why = "crash", traceback.format_exc(limit=-4)
     seconds = time.process_time() - started
@@ -80,7 +86,7 @@ def judged(question: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _outcome(tables: draw.Tables | None) -> tuple[str, str]:
+def outcome_of(tables: draw.Tables | None) -> tuple[str, str]:
     if tables is None:
         return "too small", ""
     try:

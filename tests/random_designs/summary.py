@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from math import sqrt
 from typing import Any
+
+from scipy.stats import binomtest
 
 from tests.random_designs.draw import KINDS
 
-_Z = 1.959964
 LONGEST_S = 60.0
-
-
-def wilson(hits: int, of: int) -> tuple[float, float]:
-    """The 95 % interval of a share by Wilson's score."""
-    if not of:
-        return 0.0, 1.0
-    share, z2 = hits / of, _Z**2
-    middle = (share + z2 / (2 * of)) / (1 + z2 / of)
-    half = _Z * sqrt(share * (1 - share) / of + z2 / (4 * of**2)) / (1 + z2 / of)
-    return max(0.0, middle - half), min(1.0, middle + half)
 
 
 def summary(rows: list[dict[str, Any]]) -> str:
@@ -70,7 +60,9 @@ def _table(rows: list[dict[str, Any]]) -> list[str]:
 def _with_intervals(shares: list[tuple[str, int, list[dict[str, Any]]]]) -> list[str]:
     lines = []
     for what, hits, among in shares:
-        low, high = wilson(hits, len(among))
+        low, high = (
+            binomtest(hits, len(among)).proportion_ci(method="wilson") if among else (0.0, 1.0)
+        )
         lines.append(f"{what}: {hits} of {len(among)} ({low:.1%} to {high:.1%})")
     return lines
 

@@ -131,7 +131,7 @@ def test_what_is_wrong_is_told_by_a_check_or_by_nothing(
     }
     for name, answer in patched.items():
         monkeypatch.setattr(judge, name, lambda *given, answer=answer: answer)
-    assert judge._outcome({"name": "one"})[0] == outcome
+    assert judge.outcome_of({"name": "one"})[0] == outcome
 
 
 @pytest.mark.slow

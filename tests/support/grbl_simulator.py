@@ -191,7 +191,7 @@ class GrblSimulator:
             return True
         travel = [self.settings[130 + k] for k in range(3)]
         if self.settings[20] and not all(-t <= v <= 0 for v, t in zip(target, travel, strict=True)):
-            self._alarm(2)
+            self.alarm(2)
             return True
         fast = self.mode == "G0"
         self.plan.append((target, min(self.feed, 6000.0) / 60 if not fast else 50.0))
@@ -212,7 +212,7 @@ class GrblSimulator:
         self._answer("ok")
         return True
 
-    def _alarm(self, number):
+    def alarm(self, number):
         self.state = "Alarm"
         self._clear()
         self.say(f"ALARM:{number}\r\n[MSG:Reset to continue]\r\n")
@@ -235,7 +235,7 @@ class GrblSimulator:
                 self.plan.popleft()
             if self.alarm_at_mm is not None and self.position[2] < self.alarm_at_mm:
                 self.alarm_at_mm = None
-                self._alarm(1)
+                self.alarm(1)
                 return
         if self.state == "Run" and not self.plan:
             self.state = "Idle"

@@ -137,7 +137,7 @@ class MarlinSimulator(GrblSimulator):
         self._answer("ok")
         return True
 
-    def _alarm(self, number):
+    def alarm(self, number):
         self.state = "Alarm"
         self._clear()
         self.say("Error:Printer halted. kill() called!\n")

@@ -71,7 +71,7 @@ class Bench:
         self.frames = self.unanswered = 0
         self.forces, self.depths, self.places = [], [], []
         self.plan = lambda bench: None  # called at every frame: plants faults as the run goes
-        self._stop = threading.Event()
+        self.over = threading.Event()
 
     @property
     def port(self):
@@ -95,7 +95,7 @@ class Bench:
     def run(self):
         header = encode_header(self.channels)
         steps = round(FRAME_S / STEP_S)
-        while not self._stop.is_set():
+        while not self.over.is_set():
             for _ in range(steps):
                 self._step()
             self._frame(header)
@@ -151,7 +151,7 @@ class Bench:
         line, patience_s = self.lines["machine"], _PATIENCE_S if self.unanswered < 3 else 0.002
         until = time.monotonic() + patience_s
         self.unanswered += 1
-        while time.monotonic() < until and not self._stop.is_set():
+        while time.monotonic() < until and not self.over.is_set():
             if data := line.read():
                 self.machine.take(data)
                 line.write(self.machine.give())
@@ -169,7 +169,7 @@ def bench(**choice):
     try:
         yield made
     finally:
-        made._stop.set()
+        made.over.set()
         thread.join()
         for line in made.lines.values():
             line.close()

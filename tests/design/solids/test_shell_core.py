@@ -56,7 +56,7 @@ def pockets_of(solid):
     for face in solid.Faces():
         if face.geomType() != "CYLINDER":
             continue
-        radii.append(face._geomAdaptor().Cylinder().Radius())
+        radii.append(face._geomAdaptor().Cylinder().Radius())  # noqa: SLF001  CadQuery has no other way
         circles = [edge for edge in face.Edges() if edge.geomType() == "CIRCLE"]
         ends = [np.array(edge.arcCenter().toTuple()) for edge in circles]
         assert len(ends) == 2

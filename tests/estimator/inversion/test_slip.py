@@ -15,17 +15,16 @@ from tests.support.turned_frames import foreign_magnets_t
 def test_presses_on_a_slipped_core_are_read_once_rest_has_shown_the_slip(mm):
     """Single presses of 4 to 8 N at 0.05 mm are believed wrong in a quarter of the frames otherwise."""
     rng = np.random.default_rng(3)
-    for _ in range(2):
-        raw, face = grasps(rng, mm)
-        tracker, good = Tracker(inverted()), []
-        for number, change in enumerate(zeroed(raw, rng)):
-            reading = tracker.feed(change)
-            if number >= REST_FRAMES:
-                good.append(reading.explained[0] and right(reading, face[number : number + 1])[0])
-            else:
-                assert tracker.slip is None or number == REST_FRAMES - 1
-        assert tracker.slip.size_mm == pytest.approx(mm, abs=0.015)
-        assert np.mean(good) >= 0.97
+    raw, face = grasps(rng, mm)
+    tracker, good = Tracker(inverted()), []
+    for number, change in enumerate(zeroed(raw, rng)):
+        reading = tracker.feed(change)
+        if number >= REST_FRAMES:
+            good.append(reading.explained[0] and right(reading, face[number : number + 1])[0])
+        else:
+            assert tracker.slip is None or number == REST_FRAMES - 1
+    assert tracker.slip.size_mm == pytest.approx(mm, abs=0.015)
+    assert np.mean(good) >= 0.97
 
 
 @pytest.mark.parametrize("zero", ["rest", "first"])

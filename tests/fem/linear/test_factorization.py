@@ -323,7 +323,7 @@ def test_a_kept_factor_is_there_while_it_solves_though_too_large_to_be_kept(monk
             self.released = True
 
     made = Solver()
-    monkeypatch.setattr(kept_factors, "_plain", lambda matrix, single: made)
+    monkeypatch.setattr(kept_factors, "plain_solver_of", lambda matrix, single: made)
     monkeypatch.setattr(kept_factors, "LEAST_UNKNOWNS", 1)
     monkeypatch.setattr(kept_factors, "MOST_UNKNOWNS", 2)
     found = kept_factors.solve_with_kept_factor(2 * sp.eye_array(3, format="csr"), np.ones((3, 1)))

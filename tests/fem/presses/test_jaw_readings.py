@@ -143,23 +143,24 @@ def test_a_grasp_by_jaws_is_followed_as_jaws_until_it_lets_go(spec, reader, rigi
 LIGHT_N = 3.0
 
 
-def light_fingers(spec, response):
+@pytest.fixture(scope="module")
+def light_fingers(spec, rigid_response):
     """Frames of a flat finger of 16 mm pressed lightly at six places of face 3, and its forces (N)."""
     finger = {"kind": "cuboid", "size_mm": (16.0, 16.0), "turn_deg": (0.0, 0.3, 0.2)}
     frames = []
     for place in ((-12.0, -12.0), (0.0, -8.0), (10.0, -4.0), (-6.0, 2.0), (4.0, 6.0), (12.0, 12.0)):
         depth = 0.3
         for _ in range(4):
-            counts, press = frame_of(spec, response, [Tip(3, *place)], depth, **finger)
+            counts, press = frame_of(spec, rigid_response, [Tip(3, *place)], depth, **finger)
             depth *= (LIGHT_N / press.force_n[0]) ** 0.7
         frames.append((counts, press.force_n[0]))
     return frames
 
 
-def test_tips_that_may_be_a_light_finger_are_less_certain(spec, reader, rigid_response):
+def test_tips_that_may_be_a_light_finger_are_less_certain(reader, light_fingers):
     """The whole force is less certain than to a reader that knows no jaws, or hardly more."""
     sigmas = []
-    for counts, _ in light_fingers(spec, rigid_response):
+    for counts, _ in light_fingers:
         kinds = [each.read(counts[None])[0] for each in (reader, replace(reader, jaw_tables=()))]
         if not kinds[0].jaws[0]:
             sigmas.append([np.sqrt(np.nansum(read.covariance[0, :, 2, 2])) for read in kinds])
@@ -168,10 +169,10 @@ def test_tips_that_may_be_a_light_finger_are_less_certain(spec, reader, rigid_re
     assert np.sum(either > 1.2 * tips) >= 2
 
 
-def test_fingers_known_to_be_flat_are_read_as_jaws(spec, reader, rigid_response):
+def test_fingers_known_to_be_flat_are_read_as_jaws(spec, reader, light_fingers):
     known = spec.changed(inversion=spec.inversion.model_copy(update={"probes": "flat"}))
     flat = replace(reader, model=replace(reader.model, spec=known))
-    for counts, force_n in light_fingers(spec, rigid_response):
+    for counts, force_n in light_fingers:
         read, _ = flat.read(counts[None])
         assert read.jaws.all()
         assert read.explained.all()

@@ -23,12 +23,6 @@ from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
 
 ROOT = Path(__file__).parents[3]
 PACKAGES = ("design", "fem", "estimator", "instobj")
-BAD_DATA = {
-    "empty.csv": "",
-    "foreign.csv": "date,temperature\n2024-01-01,20.5\n2024-01-02,21.0\n",
-    "generic.csv": "time_s,F1-X1,cell1_force_g,cell1_face\n0.0,12,3,1\n0.1,x,3,1\n",
-    "truncated.csv": "Time,Left,Right-blue,F5-X1\n1690355952,0.09,0.32\n",
-}
 
 
 def test_help_names_every_command_and_starts_quickly(tmp_path):
@@ -127,15 +121,6 @@ def test_unwritable_output_is_refused_before_any_work(tmp_path):
 
 def test_two_specifications_of_one_name_are_refused(tmp_path):
     assert_one_clear_error(run("build", CUBE, CUBE, cwd=tmp_path), "both named")
-
-
-@pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv", "missing.mcap"])
-def test_bad_recordings_end_with_one_clear_error(tmp_path, name):
-    if name in BAD_DATA:
-        (tmp_path / name).write_text(BAD_DATA[name])
-    reason = "" if name in BAD_DATA else "no recording at"
-    assert_one_clear_error(run("recordings", name, cwd=tmp_path), name, reason)
-    assert not list(tmp_path.glob("runs/**/*.nc"))
 
 
 @pytest.mark.parametrize("out", [".", "contacts.mcap"])

@@ -17,7 +17,6 @@ from instobj.commands.predict import export_models
 from instobj.commands.run import run_estimator
 from tests.support.mechanics.inverted import SPEC, inverted, labelled_frames, noisy_counts
 from tests.support.recordings.dummy_board import dummy_board
-from tests.support.slipped_core import GRASP, grasps
 
 CHANNELS = tuple(
     f"F{face}-{axis}{chip}" for face in range(1, 6) for chip in (1, 2, 3) for axis in "XYZ"
@@ -84,19 +83,6 @@ def test_a_chip_that_lies_is_named_in_every_frame(folder, tmp_path):
     with (tmp_path / "runs/lying/contacts.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert {row["chip_out"] for row in rows} == {"F3-1"}
-
-
-def test_a_slipped_core_is_named(folder, tmp_path):
-    """Raw counts of grasps, within the second of which the core slips by 0.1 mm."""
-    raw, _ = grasps(np.random.default_rng(5), 0.1, 2 * GRASP + 4, presses=3)
-    lines = [",".join(["time_s", *CHANNELS])]
-    lines += [",".join([f"{row / 10}", *(f"{n:.0f}" for n in raw[row])]) for row in range(len(raw))]
-    (tmp_path / "slips.csv").write_text("\n".join(lines) + "\n")
-    arguments = ["predict", folder / "contacts.nc", tmp_path / "slips.csv", "--out", tmp_path]
-    (summary,) = next(iter(told(arguments)["tables"].values()))
-    assert summary["condition of the object"].startswith(
-        "recalibrate: the core slipped by about 0.1"
-    )
 
 
 def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):

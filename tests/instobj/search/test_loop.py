@@ -369,6 +369,7 @@ def _scored_slowly(argument):
     return score
 
 
+@pytest.mark.slow
 def test_a_search_on_several_machines_loses_nothing_and_does_nothing_twice(tmp_path):
     """Workers of a Dask scheduler, each killed and replaced while it has a trial at work."""
     path, wanted = tmp_path / "trials.jsonl", 24

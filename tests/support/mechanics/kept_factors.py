@@ -13,7 +13,7 @@ from fem.linear import factorization
 LEAST_UNKNOWNS, MOST_UNKNOWNS = 1_000, 200_000
 """Of a matrix whose factor is kept, and of all together."""
 
-_plain = factorization.solver_of
+plain_solver_of = factorization.solver_of
 _kept = {}
 
 
@@ -30,9 +30,9 @@ class KeptSolver:
 def kept_solver(matrix, single=False):
     """In place of what `fem.linear.factorization` makes of a matrix for every `Factorization`."""
     if matrix.shape[0] < LEAST_UNKNOWNS:
-        return _plain(matrix, single)
+        return plain_solver_of(matrix, single)
     key = _digest(matrix), single
-    found = _kept.pop(key, None) or KeptSolver(_plain(matrix, single), matrix.shape[0])
+    found = _kept.pop(key, None) or KeptSolver(plain_solver_of(matrix, single), matrix.shape[0])
     _kept[key] = found  # the latest last
     while sum(one.unknowns for one in _kept.values()) > MOST_UNKNOWNS:
         del _kept[next(iter(_kept))]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -29,18 +30,24 @@ FLAT = ("box", "pad")
 _TRIANGLES_MM = 0.005
 
 
-def measure_object(question: dict[str, Any]) -> dict[str, Any]:
-    """Numbers of the object in `question`, or why its specification is refused.
+def measuring(folder: Path) -> Callable[[tuple[dict[str, Any], bool]], dict[str, Any]]:
+    """Return the function that gives numbers of an object, or why its specification is refused.
 
     `folder` takes files; with `everything` more than core, shell and moulds of flat faces is built.
     """
-    try:
-        spec = check(
-            ObjectSpec.model_validate(with_file(question["object"], Path(question["folder"])))
-        )
-    except (ValidationError, InputError) as error:
-        return {"refused": str(error)}
-    everything = question["everything"]
+
+    def measure(question: tuple[dict[str, Any], bool]) -> dict[str, Any]:
+        content, everything = question
+        try:
+            spec = check(ObjectSpec.model_validate(with_file(content, folder)))
+        except (ValidationError, InputError) as error:
+            return {"refused": str(error)}
+        return _numbers(spec, everything)
+
+    return measure
+
+
+def _numbers(spec: ObjectSpec, everything: bool) -> dict[str, Any]:
     solids = {part.name: part.make() for part in parts_of(spec) if _looked_at(part, everything)}
     missed = None
     if has_mould(spec) and (everything or spec.body.kind in FLAT):

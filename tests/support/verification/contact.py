@@ -126,7 +126,6 @@ CHECKS = (
         Fault("diameter of the tip for its radius", _twice_the_radius),
         "rates",
         ("half width of the block, mm", "force over Hertz's, less 1"),
-        slow=True,
     ),
     Check(
         "bonded_layer",
@@ -147,6 +146,5 @@ CHECKS = (
         Fault("shear modulus E/2 in place of E/(2 (1 + ν))", _halved_modulus),
         "values",
         ("thickness of the layer, mm", "force over a half-space's"),
-        slow=True,
     ),
 )

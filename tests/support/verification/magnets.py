@@ -117,6 +117,5 @@ CHECKS = (
         Fault("ties on the very skin", lambda patch: patch.setattr(tied_magnets, "INSET", 0.0)),
         "errors",
         ("place pressed", "difference, relative"),
-        slow=True,
     ),
 )

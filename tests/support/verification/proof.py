@@ -63,7 +63,6 @@ class Check:
     figure: Literal["values", "errors", "rates"]
     axes: tuple[str, str]
     logarithmic_x: bool = False
-    slow: bool = False
 
 
 @dataclass(frozen=True)

@@ -78,7 +78,6 @@ CHECKS = (
         Fault("near field of the mesh's own hat functions counted besides the cells'", _hats_kept),
         "values",
         ("depth, mm", "force, N"),
-        slow=True,
     ),
     Check(
         "flat_punch",

@@ -198,7 +198,6 @@ CHECKS = (
         Fault("Poisson's ratio 0.49 in place of 0.4999", _softer_poisson),
         "values",
         ("face", "compliance, mm/N"),
-        slow=True,
     ),
     Check(
         "mirror_symmetry",
@@ -209,6 +208,5 @@ CHECKS = (
         Fault("tip 0.7 mm beside its place", _tip_beside),
         "errors",
         ("depth, mm", "difference over the mesh's own error"),
-        slow=True,
     ),
 )
