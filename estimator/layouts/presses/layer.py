@@ -75,8 +75,8 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
 
 @lru_cache(maxsize=16)
 def _layer_basis(alike: SpecAlike) -> tuple[PressBasis, list[FaceCandidates]]:
-    """Return the basis of the face that the key begins with, without surfaces, and candidates of that face and
-    then of the others."""
+    """Return the basis of the face that the key begins with, without surfaces, and candidates of all faces,
+    of that one first."""
     spec, face = alike.spec, alike.key[0]
     frames = {frame.number: frame for frame in face_frames(spec)}
     here, order = frames[face], [face, *(number for number in frames if number != face)]
