@@ -58,7 +58,7 @@ def check_fabrication(
     """
     findings = list[Finding]()
     meshes: dict[str, trimesh.Trimesh] = {}
-    for finding in _findings(spec, meshes, progress):
+    for finding in _findings(spec, meshes, progress, failures_alone=but is not None):
         findings.append(finding)
         if but is not None and finding.status == "fail" and finding.check not in but:
             break
@@ -66,7 +66,10 @@ def check_fabrication(
 
 
 def _findings(
-    spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh], progress: Callable[[str], None]
+    spec: ObjectSpec,
+    meshes: dict[str, trimesh.Trimesh],
+    progress: Callable[[str], None],
+    failures_alone: bool,
 ) -> Iterator[Finding]:
     """Yield findings as parts are made; `meshes` takes the triangles of each part that closes."""
     for part in parts_of(spec):
@@ -79,7 +82,7 @@ def _findings(
         yield from solid_findings
         if mesh is not None:
             meshes[part.name] = mesh
-            yield from check_walls(part, mesh, spec)
+            yield from check_walls(part, mesh, spec, failures_alone)
             yield from (*check_edges(part, mesh), *check_bed(part, mesh, spec))
     yield from (*check_features(spec), *check_inhibition(spec), *check_pockets(spec))
     if "core" in meshes:

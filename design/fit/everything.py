@@ -13,6 +13,7 @@ from design.fit.mould import check_mould
 from design.fit.parts import check_mesh, check_parts
 from design.fit.roughness import check_roughness
 from design.layout.body import body_of
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -24,7 +25,13 @@ def problems_of(spec: ObjectSpec, table: bool = True) -> list[str]:
     Without room for a core nothing else can be judged. Without `table`, whether the indenter can be
     pressed at every contact location is left open.
     """
-    return list(dict.fromkeys(_problems(spec, table)))
+    return [*_all_problems(spec)] if table else list(dict.fromkeys(_problems(spec, table)))
+
+
+@cached_geometry
+def _all_problems(spec: ObjectSpec) -> tuple[str, ...]:
+    """Keep problems of a specification that several checks ask for."""
+    return tuple(dict.fromkeys(_problems(spec, table=True)))
 
 
 def fits(spec: ObjectSpec, table: bool = True, mould: bool = True) -> bool:

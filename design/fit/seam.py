@@ -34,6 +34,7 @@ from design.layout.mould.pouring import (
     pour_holes,
     thin_beside_others,
 )
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
 
 _FAILS = "check --fabrication fails on it"
@@ -169,6 +170,7 @@ def _room_mm(spec: ObjectSpec) -> float:
     return COMPLIANCE_FRACTION * spec.shell.thickness_mm
 
 
+@cached_geometry
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
     """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows."""
     plane, frame = parting(spec), mould_frame(spec)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cache, wraps
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -25,6 +25,17 @@ KEPT_RESULTS: dict[int, dict[str, Any]] = {}
 """Results by the identity of a living specification, then by function; hashing its content costs more than
 most of what is kept here."""
 _PLAIN = frozenset((float, np.float64, int, bool, str, type(None)))
+
+
+@dataclass(frozen=True)
+class SpecAlike:
+    """A specification that equals others by a key: the parts that a result depends on, and what it is of.
+
+    Arguments of functions with `lru_cache`, for costly results that many specifications share.
+    """
+
+    spec: ObjectSpec = field(compare=False)
+    key: tuple[Any, ...]
 
 
 def cached_geometry(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Found]:

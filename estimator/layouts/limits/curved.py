@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import torch
@@ -15,8 +16,7 @@ from design.body.surface_chart import FaceFrame
 from design.fit.boards import distance_beyond_core_mm
 from design.fit.curved import room_for_recesses
 from design.layout.body import body_of, face_frames
-from design.spec.cached_geometry import cached_geometry
-from design.spec.magnets import MagnetSize
+from design.spec.cached_geometry import SpecAlike, cached_geometry
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
@@ -202,13 +202,20 @@ class _Cover:
 def covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
     """Return the covers of every curved face, for a magnet of each of the specification's sizes."""
     return {
-        frame.number: tuple(_cover(spec, frame, size) for size in spec.magnets.distinct_sizes)
-        for frame in face_frames(spec)
+        frame.number: tuple(
+            _cover(SpecAlike(spec, (index, size, spec.body, spec.shell)))
+            for size in spec.magnets.distinct_sizes
+        )
+        for index, frame in enumerate(face_frames(spec))
         if not frame.flat
     }
 
 
-def _cover(spec: ObjectSpec, frame: FaceFrame, size: MagnetSize) -> _Cover:
+@lru_cache(maxsize=64)
+def _cover(alike: SpecAlike) -> _Cover:
+    """Return the cover of the sensed face and the size of magnet that the key begins with."""
+    spec, (index, size, *_) = alike.spec, alike.key
+    frame = face_frames(spec)[index]
     half = np.asarray(frame.half_extents_mm)
     nodes = [
         np.linspace(-h, h, max(_FEWEST_NODES, int(np.ceil(2 * h / _COVER_STEP_MM)))) for h in half

@@ -6,6 +6,9 @@ curved face lengths along its surface take the place of those in a plane.
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import lru_cache
+
 import numpy as np
 import torch
 from jaxtyping import Float
@@ -14,6 +17,8 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
+from design.layout.pockets import shell_bodies
+from design.spec.cached_geometry import SpecAlike
 from design.spec.object import ObjectSpec
 from estimator.field.device import one_thread
 from estimator.layouts.presses.basis import (
@@ -56,6 +61,23 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
     InputError
         A shell or a face without room for candidates.
     """
+    # Specifications that differ in magnets' places, sensors or mould alone share all but the surfaces.
+    parts = (
+        *(spec.body, spec.shell, spec.core, spec.silicone),
+        *(spec.indenter, spec.contact_grid, spec.press, spec.score),
+    )
+    outline = shell_bodies(spec)[0][0].outline
+    basis, lattices = _layer_basis(SpecAlike(spec, (face, *parts, outline)))
+    if not faces_differ(spec):
+        return basis
+    return replace(basis, patches=patches_of(spec, lattices, torch.float32))
+
+
+@lru_cache(maxsize=16)
+def _layer_basis(alike: SpecAlike) -> tuple[PressBasis, list[FaceCandidates]]:
+    """Return the basis of the face that the key begins with, without surfaces, and candidates of all faces,
+    of that one first."""
+    spec, face = alike.spec, alike.key[0]
     frames = {frame.number: frame for frame in face_frames(spec)}
     here, order = frames[face], [face, *(number for number in frames if number != face)]
     thickness, layer = spec.shell.thickness_mm, layer_of(spec)
@@ -73,7 +95,7 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
     motion[..., :derivatives] = farther_in[..., :derivatives]
     # Every quantity of every place is a mode of its own.
     modes = np.eye(motion.shape[2]).reshape(-1, 4, len(places))
-    (rows,), basis = compressed([motion], modes, rms(motion, modes), len(modes))
+    (rows,), vectors = compressed([motion], modes, rms(motion, modes), len(modes))
 
     def tensor(values: object) -> torch.Tensor:
         return torch.as_tensor(np.asarray(values), dtype=torch.float32)
@@ -81,7 +103,7 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
     others, alone = [frames[number] for number in order[1:]], len(places)
     first, step = (tensor(part) for part in ends_and_steps(lattice))
     force, deepest = spec.score.force_n, layer.force_at(max(spec.press.depths_mm))
-    return PressBasis(
+    basis = PressBasis(
         face,
         (),
         force,
@@ -90,17 +112,16 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
         first,
         step,
         lattice.shape,
-        RowTable(tensor(with_ghosts(rows, lattice.shape)), tensor(basis)),
+        RowTable(tensor(with_ghosts(rows, lattice.shape)), tensor(vectors)),
         RowTable(torch.zeros(0, 0), torch.zeros(0, 4 * alone)),
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.plane_coordinates(frame.centre_mm) for frame in others]).reshape(-1, 3),
         torch.full((alone,), deepest),
         np.full(alone, layer.contact(force)[1] / force),
         _nothing_held(lattice),
-        patches_of(spec, [lattices[number] for number in order], torch.float32)
-        if faces_differ(spec)
-        else (),
+        (),
     )
+    return basis, [lattices[number] for number in order]
 
 
 def _motions(

@@ -15,6 +15,7 @@ from jaxtyping import Bool, Float
 from design.catalogue.magnets import GRADES
 from design.catalogue.silicones import SILICONES
 from design.errors import InputError
+from design.fit.everything import fits
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import contact_places
 from design.layout.places.measures import place_measures
@@ -191,7 +192,10 @@ def with_more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
             for share, half in zip(out, halves, strict=True)
         )
         try:
-            return check(_with_sensors(spec, count_per_face=count, positions_mm=places))
+            more = _with_sensors(spec, count_per_face=count, positions_mm=places)
+            # most patterns do not fit, which the first fault decides
+            if fits(more):
+                return check(more)
         except ValueError:
             continue
     raise InputError(f"no pattern of {count} sensors fits")
