@@ -27,6 +27,8 @@ _WIDEST_HOLE = 0.5
 """Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
+_CRUMB = 0.01
+"""Share of the largest piece's volume, below which a piece apart from it, or a void in it, is no body."""
 
 
 def body_of_file(path: Path, scale: float = 1.0) -> dict[str, Any]:
@@ -122,8 +124,11 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         count = len(_solid_pieces(surface))
         flat = surface.body_count - count
         done += [f"left out {flat} flat pieces, which enclose nothing"] if flat else []
-        done += [f"united {count} pieces that overlap"] if count > 1 else []
-        surface = united_surface(surface, path)
+        surface, crumbs = united_surface(surface, path)
+        largest_mm = max((float(max(crumb.extents)) for crumb in crumbs), default=0.0)
+        done += [f"left out {len(crumbs)} crumbs of up to {largest_mm:.2g} mm"] if crumbs else []
+        united = count - len(crumbs)
+        done += [f"united {united} pieces that overlap"] if united > 1 else []
     if done:
         warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
     return surface
@@ -165,10 +170,13 @@ def _fill_holes(surface: trimesh.Trimesh) -> list[str]:
     faces_open = len(surface.faces)
     # a hole is as large as the sphere round its box: half the diagonal, w/√2 of one w wide
     largest_mm = _WIDEST_HOLE * min(surface.extents) / 2**0.5
-    open_surface = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
-    closed = open_surface.fill_holes(largest_mm)
+    closed = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    # of a ragged border VTK may leave a smaller hole, which is closed likewise
+    count = -1
+    while closed.n_cells != count:
+        count, closed = closed.n_cells, closed.fill_holes(largest_mm)
     faces = closed.faces.reshape(-1, 4)[:, 1:]
-    if len(faces) == faces_open:
+    if count == faces_open:
         return []
     surface.vertices, surface.faces = np.asarray(closed.points, float), faces
     trimesh.repair.fix_winding(surface)
@@ -214,8 +222,11 @@ def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
     )
 
 
-def united_surface(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """The union of pieces that overlap; flat ones, which enclose nothing, are left out.
+def united_surface(
+    surface: trimesh.Trimesh, path: Path
+) -> tuple[trimesh.Trimesh, list[trimesh.Trimesh]]:
+    """Return the union of pieces that overlap, and crumbs that are left out: pieces of no size apart from
+    it, and voids of none in it. Flat pieces, which enclose nothing, are left out as well.
 
     Raises
     ------
@@ -224,14 +235,29 @@ def united_surface(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     """
     from design.body.meshes import boolean_of, signed_mm3
 
-    solid = _solid_pieces(surface)
+    larger, small = _parted_by_size(_solid_pieces(surface))
+    voids = [piece for piece in small if signed_mm3(piece) < 0]
+    solid = larger + [piece for piece in small if signed_mm3(piece) > 0]
     whole = all(signed_mm3(piece) > 0 for piece in solid)
-    united = boolean_of("union", solid) if solid and whole else surface
-    if united.body_count != 1:
+    pieces = _solid_pieces(boolean_of("union", solid)) if solid and whole else solid
+    whole_pieces, crumbs = _parted_by_size(pieces)
+    if len(whole_pieces) != 1:
         raise InputError(
-            f"{path} holds {len(solid)} separate surfaces. Export one closed body without holes inside"
+            f"{path} holds {len(pieces)} separate surfaces. Export one closed body without holes inside"
         )
-    return united
+    return whole_pieces[0], voids + crumbs
+
+
+def _parted_by_size(
+    pieces: list[trimesh.Trimesh],
+) -> tuple[list[trimesh.Trimesh], list[trimesh.Trimesh]]:
+    """Return pieces that count, and crumbs."""
+    from design.body.meshes import signed_mm3
+
+    volumes = [abs(signed_mm3(piece)) for piece in pieces]
+    least = _CRUMB * max(volumes, default=0.0)
+    counted = [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 >= least]
+    return counted, [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 < least]
 
 
 def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
