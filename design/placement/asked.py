@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
@@ -37,6 +38,8 @@ _DIGITS, _ROUNDED = 4, 0.999
 longest edge."""
 _MOULD_MM = 30.0
 """Room for walls and flanges, beyond the body."""
+_FACES = 6
+"""Faces of a body, at most."""
 _PLATE = 0.5
 """Share of the shorter of the other edges, up to which a height makes a plate."""
 
@@ -60,17 +63,34 @@ def most_printed_mm() -> float:
 def placements(request: Request) -> Iterator[Tables]:
     """The same for each shell that takes everything, the most generous first.
 
+    A request that takes fewer sensors has the number of a face of which the whole body takes most.
+
     Raises
     ------
     SpecError
         As `place_parts`.
     """
-    has_tables, request = False, with_thinnest(request)
-    for tables in fitting(request, shell_variants_of(request), SHARES):
-        has_tables = True
-        yield tables
-    if not has_tables:
+    request = with_thinnest(request)
+    shells, best, most = shell_variants_of(request), None, 0
+    for sensors in range(request.sensors, 0 if request.takes_fewer else request.sensors - 1, -1):
+        request = replace(request, sensors=sensors)
+        layouts = fitting(request, shells, SHARES)
+        first = next(layouts, None)
+        if first is None:
+            continue
+        of_body = sensors * len(spec_of(first).body.sensed)
+        if of_body > most:
+            best, most = chain([first], layouts), of_body
+        # all faces take them, or fewer on every face would be no more of them
+        if "sensed_faces" not in first["body"] or most >= (sensors - 1) * _FACES:
+            break
+    if best is None:
         raise SpecError(_not_placed(request))
+    yield from best
+
+
+def _bare(request: Request) -> Tables:
+    return bare_tables(request, request.thinnest)
 
 
 def _not_placed(request: Request) -> str:
@@ -79,8 +99,7 @@ def _not_placed(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     parts = f"{sensors} and {magnets} per face"
-    bare = bare_tables(request, request.thinnest)
-    rough = rough_patches(spec_of(bare)) if request.file else []
+    rough = rough_patches(spec_of(_bare(request))) if request.file else []
     ways = [*_larger(request), *base_advice(request), *_fewer(request)]
     if ways:
         message = f"{body} of {size} mm is too small for {parts}"

@@ -113,6 +113,12 @@ def new_specification(
                 castable.unlink(missing_ok=True)
             raise
         tables = with_edges_that_fit(request, tables)
+        asked, request = request, _with_sensors_of(request, tables)
+        if request.sensors < asked.sensors:
+            warnings.warn(
+                f"{asked.sensors} sensors find no room on a face; {request.sensors} do",
+                stacklevel=2,
+            )
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
         for text in roughness_in_words(spec_of(tables)) if request.file else ():
@@ -135,6 +141,7 @@ def placed_text(path: Path, request: Request | None = None) -> str:
         if request.file:  # a scan may have been made castable
             file = (("file", spec.body.file), ("scale", spec.body.scale))
             request = replace(request, size_mm=spec.body.size_mm, file=file)
+        request = replace(request, sensors=spec.sensors.count_per_face)
         with _timed_stage(ProgressLine(), "what more parts would bring"):
             helps = parts_that_help(request, spec, score)
     lines = (
@@ -185,6 +192,7 @@ def designed(request: Request) -> Made:
     progress = ProgressLine()
     with _timed_stage(progress, "places by rules"):
         placed = next(placements(request))
+    request = _with_sensors_of(request, placed)
     layouts, again = tee(scored_first(request, placed))
     best = _first_that_can_be_made(layouts, _OF_THE_BODY, progress)
     if best is not None:
@@ -195,6 +203,13 @@ def designed(request: Request) -> Made:
         layouts = again if by_rules[0] == placed else scored_first(request, by_rules[0])
         best = _first_that_can_be_made(layouts, _checks(by_rules), progress)
     return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
+
+
+def _with_sensors_of(request: Request, tables: Tables) -> Request:
+    """Return the request for as many sensors as tables have, if they name any."""
+    return replace(
+        request, sensors=tables.get("sensors", {}).get("count_per_face", request.sensors)
+    )
 
 
 @contextmanager
@@ -393,7 +408,7 @@ def request_of(
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
     request = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
-    request = request if sensors is None else replace(request, sensors=sensors)
+    request = replace(request, sensors=sensors or request.sensors, takes_fewer=sensors is None)
     if file is None:
         return request
     mm = 1.0 if scale is None else scale

@@ -167,6 +167,21 @@ def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
         place_parts(Request("pad", smaller, 4))
 
 
+@pytest.mark.parametrize(
+    ("kind", "size", "sensors", "faces"),
+    [
+        ("sphere", (30.0, 30.0, 30.0), 1, 5),  # two find room on one face alone
+        ("capsule", (26.0, 26.0, 150.0), 2, 4),  # three find room on one face alone
+        ("box", (60.0, 40.0, 30.0), 3, 5),
+    ],
+)
+def test_a_small_body_takes_as_many_sensors_as_it_can(kind, size, sensors, faces):
+    request = Request(kind, size, takes_fewer=True)
+    spec = spec_of(place_parts(request))
+    assert problems_of(spec) == []
+    assert (spec.sensors.count_per_face, len(spec.body.sensed)) == (sensors, faces)
+
+
 def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
     """0.81 mm were left beside them (limit 1 mm): check --fabrication failed."""
     spec = spec_of(place_parts(Request("pad", (22.4, 49.0, 12.6), 2, 6)))
