@@ -18,6 +18,7 @@ import numpy as np
 
 from design.body.imported import body_of_file
 from design.body.kinds.registry import KINDS
+from design.catalogue.printers import PRINTERS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
@@ -31,7 +32,7 @@ from design.layout.mould.frame import (
     undercut_depth_mm,
 )
 from design.layout.places.coverage import covered_share
-from design.placement.asked import most_printed_mm, placements
+from design.placement.asked import placements
 from design.placement.exact_kinds import exact_kind_in_words
 from design.placement.hooking import (
     castable_request,
@@ -41,7 +42,7 @@ from design.placement.hooking import (
 from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import BodySpec
-from design.spec.object import ObjectSpec
+from design.spec.fabrication import PrinterSpec
 from design.spec_io import load_spec
 from estimator.layouts.without_mesh import first_score
 from instobj.commands.first_layout import parts_that_help, scored_first
@@ -125,8 +126,10 @@ def new_specification(
             warnings.warn(text, stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
-        if max(request.size_mm) > most_printed_mm():
-            warnings.warn(_bed_warning(request), stacklevel=2)
+        short_mm = max((-finding.value for finding in failed if finding.check == _BED), default=0.0)
+        if short_mm > 0:
+            tables, text = _with_larger_bed(tables, short_mm)
+            warnings.warn(text, stacklevel=2)
     with atomic_path(target) as temporary:
         temporary.write_text(specification_text(name, out, tables), encoding="utf-8")
     return target
@@ -206,10 +209,10 @@ def designed(request: Request) -> Made:
 
 
 def _with_sensors_of(request: Request, tables: Tables) -> Request:
-    """Return the request for as many sensors as tables have, if they name any."""
-    return replace(
-        request, sensors=tables.get("sensors", {}).get("count_per_face", request.sensors)
-    )
+    """Return a request that takes fewer sensors for as many as tables have."""
+    if not request.takes_fewer:
+        return request
+    return replace(request, sensors=spec_of(tables).sensors.count_per_face)
 
 
 @contextmanager
@@ -486,9 +489,12 @@ def _left_out_faces(request: Request, sensed: list[int]) -> str:
     )
 
 
-def _bed_warning(request: Request) -> str:
-    bed = " × ".join(f"{edge:g}" for edge in ObjectSpec(name="default").printer.bed_mm)
-    return (
-        f"moulds of bodies above {most_printed_mm():g} mm do not fit the printer's {bed} mm, which check "
-        f"--fabrication will say; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
-    )
+def _with_larger_bed(tables: Tables, short_mm: float) -> tuple[Tables, str]:
+    """Return tables with the largest bed of the catalogue where parts fit it, and what to do in words."""
+    usual, large = PrinterSpec().bed_mm, max(p.bed_mm for p in PRINTERS.values())
+    beds = [" × ".join(f"{edge:g}" for edge in bed) for bed in (usual, large)]
+    text = f"parts are up to {short_mm:.3g} mm too large for a printer of {beds[0]} mm"
+    if short_mm > min(b - a for a, b in zip(sorted(usual), sorted(large), strict=True)):
+        return tables, f"{text}, and for one of {beds[1]} mm, which check --fabrication will say"
+    changed = tables | {"printer": {"bed_mm": list(large)}}
+    return changed, f"{text}: printer.bed_mm = {list(large)} is taken, as print services have"
