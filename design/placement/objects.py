@@ -126,7 +126,7 @@ _TURNED = {4: 2, 5: 3}
 class Request:
     """Request of a user: kind of body, its box (mm), sensors and magnets per face.
 
-    Without a number of magnets, as many as fit, five at most; fewer sensors where so many find no room, if
+    Without a number of magnets, as many as fit, five at most; fewer sensors where these find no room, if
     `takes_fewer`. An imported body has `size_mm` of its
     file, and the keys of `[body]` that read it in `file`. Without `faces` all are sensed on which
     everything finds room. Sizes that work are looked for under the `thinnest` shell.

@@ -114,10 +114,10 @@ def new_specification(
                 castable.unlink(missing_ok=True)
             raise
         tables = with_edges_that_fit(request, tables)
-        asked, request = request, _with_sensors_of(request, tables)
-        if request.sensors < asked.sensors:
+        usual, request = request.sensors, _with_sensors_of(request, tables)
+        if request.sensors < usual:
             warnings.warn(
-                f"{asked.sensors} sensors find no room on a face; {request.sensors} do",
+                f"{usual} sensors find no room on a face; {request.sensors} do",
                 stacklevel=2,
             )
         if any(finding.check != _BED for finding in failed):
