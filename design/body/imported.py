@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Bool
+from jaxtyping import Bool, Float
 
 from design.body.foreign import read_foreign_surface
 from design.errors import InputError
@@ -25,6 +25,11 @@ _WELD_MM = 1e-3
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
 _WIDEST_HOLE = 0.5
 """Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
+_FEWEST_CORNERS, _RAGGED = 1000, 0.05
+"""Corners from which on a surface may be a scan, which is drawn anew where it crosses itself up to that
+share of its shortest edge."""
+_GRID_POINTS, _REDRAWN_MM = 250_000, 0.05
+"""Points of the grid on which it is drawn, as castable bodies, and tolerance of its triangles."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
 _CRUMB = 0.01
@@ -79,7 +84,21 @@ def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     surface.apply_scale(scale)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
-    _require_simple(surface, path)
+    crossing = _deepest_crossing(surface)
+    if crossing is None:
+        return surface
+    deep_mm, place = crossing
+    if len(surface.vertices) < _FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
+        raise InputError(
+            f"the surface in {path} crosses itself, {deep_mm:.2g} mm deep at "
+            f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the program "
+            "that made it"
+        )
+    surface, step_mm = _redrawn(surface)
+    warnings.warn(
+        f"{path}: drawn anew on a grid of {step_mm:.2g} mm, as it crosses itself {deep_mm:.2g} mm deep",
+        stacklevel=2,
+    )
     return surface
 
 
@@ -269,18 +288,36 @@ def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
     return [piece for piece in pieces if abs(signed_mm3(piece)) > nothing]
 
 
-def _require_simple(surface: trimesh.Trimesh, path: Path) -> None:
-    """Refuse a surface that crosses itself: one of its edges then runs through a triangle."""
+def _deepest_crossing(
+    surface: trimesh.Trimesh,
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Return how deep a surface crosses itself (mm) at most, and where; None of a simple one.
+
+    One of its edges then runs through a triangle.
+    """
     from design.body.meshes import manifold_of
 
     solid, corners = manifold_of(surface), np.asarray(surface.vertices)
+    deepest, deepest_at = _PIERCED_MM, None
     for start, end in corners[surface.edges_unique]:
         for hit in solid.ray_cast(tuple(start), tuple(end)):
             place, normal = np.asarray(hit.position), np.asarray(hit.normal)
             beyond = min(abs((start - place) @ normal), abs((end - place) @ normal))
-            if beyond > _PIERCED_MM:
-                raise InputError(
-                    f"the surface in {path} crosses itself, {beyond:.2g} mm deep at "
-                    f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the "
-                    "program that made it"
-                )
+            if beyond > deepest:
+                deepest, deepest_at = float(beyond), place
+    return None if deepest_at is None else (deepest, deepest_at)
+
+
+def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
+    """Return a surface drawn anew where the signed distance to it is 0, its largest piece, and the grid's
+    step (mm)."""
+    from design.body.meshes import signed_mm3, simplified
+    from design.body.sampled import contour_of, grid_points, measured_where_near
+
+    step = (float(np.prod(surface.extents)) / _GRID_POINTS) ** (1 / 3)
+    points, count = grid_points(surface.extents / 2, step)
+    distance = measured_where_near(surface, points, count, step, mirrored=False)
+    drawn = max(contour_of(distance, points[0], step).split(only_watertight=True), key=signed_mm3)
+    drawn = simplified(drawn, _REDRAWN_MM)
+    drawn.apply_translation(-drawn.bounds.mean(axis=0))
+    return drawn, step

@@ -295,7 +295,10 @@ def _with_sensors(
         return None
     try:
         halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
-    except InputError:  # no core lies that deep, or a face of it has no patch
+        if body_of(start).sampled:
+            body_of(start).core_surface()
+    # no core lies that deep, it falls into pieces, as in a bottle's neck, or a face of it has no patch
+    except InputError:
         return None
     if min(min(half) for half in halves) <= 0:
         return None

@@ -245,6 +245,23 @@ def test_a_wide_hole_is_closed_flat(tmp_path):
     assert closed.extents[2] == pytest.approx(57.5, abs=1.0)
 
 
+def test_a_scan_that_crosses_itself_a_little_is_drawn_anew(tmp_path):
+    """Some corners of a pebble are pushed past their neighbours, as where triangles were left out."""
+    scan = _pebble(4)
+    volume = scan.volume
+    for corner in range(0, 2000, 250):
+        ring = scan.vertices[scan.vertex_neighbors[corner]].mean(axis=0)
+        scan.vertices[corner] += 1.7 * (scan.vertices[scan.vertex_neighbors[corner][0]] - ring)
+    scan.export(tmp_path / "scan.stl")
+    with pytest.warns(
+        UserWarning, match=r"drawn anew on a grid of 0\.\d+ mm, as it crosses itself"
+    ):
+        drawn = read_surface(str(tmp_path / "scan.stl"))
+    assert drawn.is_watertight
+    assert drawn.volume == pytest.approx(volume, rel=0.01)
+    assert_allclose(drawn.extents, SIZE, atol=0.3)
+
+
 def test_a_ragged_hole_is_closed(tmp_path):
     """Of this border, whose corners lie in no plane, VTK at first leaves a hole of four."""
     ball = trimesh.creation.icosphere(3, 30)
