@@ -310,13 +310,23 @@ def _deepest_crossing(
 
 def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
     """Return a surface drawn anew where the signed distance to it is 0, its largest piece, and the grid's
-    step (mm)."""
+    step (mm).
+
+    What is inside is counted along lines: next to a fold, the nearest triangle does not show it.
+    """
+    import pyvista
+
     from design.body.meshes import signed_mm3, simplified
     from design.body.sampled import contour_of, grid_points, measured_where_near
 
     step = (float(np.prod(surface.extents)) / _GRID_POINTS) ** (1 / 3)
     points, count = grid_points(surface.extents / 2, step)
-    distance = measured_where_near(surface, points, count, step, mirrored=False)
+    grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
+    closed = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    mask = closed.voxelize_binary_mask(reference_volume=grid)["mask"]
+    inside = np.asarray(mask, bool).reshape(count, order="F")
+    distance = abs(measured_where_near(surface, points, count, step, mirrored=False))
+    distance = np.where(inside, -distance, distance)
     drawn = max(contour_of(distance, points[0], step).split(only_watertight=True), key=signed_mm3)
     drawn = simplified(drawn, _REDRAWN_MM)
     drawn.apply_translation(-drawn.bounds.mean(axis=0))

@@ -250,8 +250,8 @@ def test_a_scan_that_crosses_itself_a_little_is_drawn_anew(tmp_path):
     scan = _pebble(4)
     volume = scan.volume
     for corner in range(0, 2000, 250):
-        ring = scan.vertices[scan.vertex_neighbors[corner]].mean(axis=0)
-        scan.vertices[corner] += 1.7 * (scan.vertices[scan.vertex_neighbors[corner][0]] - ring)
+        near = scan.vertices[scan.vertex_neighbors[corner]]
+        scan.vertices[corner] += 3 * (near[0] - near.mean(axis=0)) - scan.vertex_normals[corner] / 2
     scan.export(tmp_path / "scan.stl")
     with pytest.warns(
         UserWarning, match=r"drawn anew on a grid of 0\.\d+ mm, as it crosses itself"
