@@ -26,7 +26,7 @@ and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
 _WIDEST_HOLE = 0.5
 """Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
 _FEWEST_CORNERS, _RAGGED = 1000, 0.05
-"""Corners from which on a surface may be a scan, which is drawn anew where it crosses itself up to that
+"""Corners from which on a surface may be a scan, which is drawn again where it crosses itself, up to that
 share of its shortest edge."""
 _GRID_POINTS, _REDRAWN_MM = 250_000, 0.05
 """Points of the grid on which it is drawn, as castable bodies, and tolerance of its triangles."""
@@ -96,7 +96,7 @@ def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
         )
     surface, step_mm = _redrawn(surface)
     warnings.warn(
-        f"{path}: drawn anew on a grid of {step_mm:.2g} mm, as it crosses itself {deep_mm:.2g} mm deep",
+        f"{path}: drawn again on a grid of {step_mm:.2g} mm, as it crosses itself {deep_mm:.2g} mm deep",
         stacklevel=2,
     )
     return surface
@@ -309,7 +309,7 @@ def _deepest_crossing(
 
 
 def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
-    """Return a surface drawn anew where the signed distance to it is 0, its largest piece, and the grid's
+    """Return a surface drawn again where the signed distance to it is 0, its largest piece, and the grid's
     step (mm).
 
     What is inside is counted along lines: next to a fold, the nearest triangle does not show it.

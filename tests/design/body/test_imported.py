@@ -245,7 +245,7 @@ def test_a_wide_hole_is_closed_flat(tmp_path):
     assert closed.extents[2] == pytest.approx(57.5, abs=1.0)
 
 
-def test_a_scan_that_crosses_itself_a_little_is_drawn_anew(tmp_path):
+def test_a_scan_that_crosses_itself_a_little_is_drawn_again(tmp_path):
     """Some corners of a pebble are pushed past their neighbours, as where triangles were left out."""
     scan = _pebble(4)
     volume = scan.volume
@@ -254,7 +254,7 @@ def test_a_scan_that_crosses_itself_a_little_is_drawn_anew(tmp_path):
         scan.vertices[corner] += 3 * (near[0] - near.mean(axis=0)) - scan.vertex_normals[corner] / 2
     scan.export(tmp_path / "scan.stl")
     with pytest.warns(
-        UserWarning, match=r"drawn anew on a grid of 0\.\d+ mm, as it crosses itself"
+        UserWarning, match=r"drawn again on a grid of 0\.\d+ mm, as it crosses itself"
     ):
         drawn = read_surface(str(tmp_path / "scan.stl"))
     assert drawn.is_watertight
