@@ -8,11 +8,12 @@ from itertools import chain
 
 import numpy as np
 
+from design.body.kinds.capsule import Capsule
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
 from design.fit.roughness import rough_patches
-from design.placement.hooking import shell_variants_of, with_thinnest
+from design.placement.hooking import shell_variants_of, simple_body_text, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
@@ -94,16 +95,15 @@ def _bare(request: Request) -> Tables:
 
 
 def _not_placed(request: Request) -> str:
-    size = " × ".join(f"{edge:g}" for edge in request.size_mm)
+    size = " × ".join(f"{edge:.4g}" for edge in request.size_mm)
     body = "an imported body" if request.file else f"a body of kind {request.kind}"
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     parts = f"{sensors} and {magnets} per face"
-    rough = rough_patches(spec_of(_bare(request))) if request.file else []
-    ways = [*_larger(request), *base_advice(request), *_fewer(request)]
+    ways = [*_larger(request), *base_advice(request), *_fewer(request), *_simpler(request)]
     if ways:
-        message = f"{body} of {size} mm is too small for {parts}"
-        return ". ".join([message, *rough, "; or ".join(ways)])
+        return f"{body} of {size} mm is too small for {parts}. {'; or '.join(ways)}"
+    rough = rough_patches(spec_of(_bare(request))) if request.file else []
     # what does not fit at any size is not too small
     longest = max(request.size_mm)
     growth = _most_growth(longest)
@@ -210,6 +210,14 @@ def _fewer(request: Request) -> Iterator[str]:
         if tables is not None:
             count = len(tables["magnets"]["positions_mm"])
             yield f"{count} magnet{'s' * (count > 1)} per face would fit"
+
+
+def _simpler(request: Request) -> Iterator[str]:
+    """A capsule about as thick and as long as a file's body."""
+    short, _, long = sorted(request.size_mm)
+    text = simple_body_text(request, Capsule.name, (short, short, long)) if request.file else ""
+    if text:
+        yield text
 
 
 def _fitting_roughly(request: Request) -> Request | None:

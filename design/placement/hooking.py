@@ -109,16 +109,16 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         raise SpecError(
             f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
             f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
-            "Moulds of more than two halves are not made. Fill the hollows in the program that made the file"
-            f"{_simple_body_text(request, 'ellipsoid', (x, y, z))}"
+            "Moulds of more than two halves are not made. Fill the hollows in the program that made the "
+            f"file; or {simple_body_text(request, 'ellipsoid', (x, y, z)) or 'choose another shape'}"
         )
     deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
     if deep_mm < _LEAST_DEEP * min(x, y, z):
         side = "below" if deep_mm > 0 else "outside"
         raise SpecError(
             f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
-            "thin bodies: there the core is held, and its wires leave. Straighten it"
-            f"{_simple_body_text(request, 'capsule', (min(x, y), min(x, y), z))}"
+            "thin bodies: there the core is held, and its wires leave. Straighten it; or "
+            f"{simple_body_text(request, 'capsule', (min(x, y), min(x, y), z)) or 'choose another shape'}"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
@@ -129,7 +129,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
     return _request_of(request, castable.surface, target), text
 
 
-def _simple_body_text(request: Request, kind: str, size_mm: tuple[float, float, float]) -> str:
+def simple_body_text(request: Request, kind: str, size_mm: tuple[float, float, float]) -> str:
     """Return the options of the least body of a kind, thick enough that its parts find room; or nothing."""
     for growth in _GROWTHS:
         x, y, z = (float(np.ceil(2 * edge) / 2) for edge in size_mm)
@@ -138,7 +138,7 @@ def _simple_body_text(request: Request, kind: str, size_mm: tuple[float, float, 
         wanted = replace(request, kind=kind, size_mm=grown, file=())
         if KINDS[kind].takes_size(grown) and first_fit(wanted, SHELL_VARIANTS[-1:], COARSE):
             size = " ".join(f"{edge:g}" for edge in grown)
-            return f", or take a simple body, as --kind {kind} --size {size}"
+            return f"take a simple body, as --kind {kind} --size {size}"
     return ""
 
 
