@@ -7,6 +7,7 @@ usual, whose magnets lie as far from the core as under the others.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
@@ -195,7 +196,10 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # repairs were said at the body's own scale
+        hooked_mm = least_hooked_mm(alike)
+    return _SPARE * hooked_mm * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
 
 
 @lru_cache(maxsize=16)

@@ -1,6 +1,7 @@
 """Shells for bodies that the halves of a mould hook, by hand."""
 
 import re
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -76,6 +77,21 @@ def test_a_bent_scan_is_refused_with_a_straight_body_that_takes_all_parts(tmp_pa
     size = tuple(map(float, named[0]))
     assert 24 <= size[0] <= 32
     assert problems_of(spec_of(place_parts(Request("capsule", size, takes_fewer=True)))) == []
+
+
+def test_what_is_closed_is_said_once_in_the_file_s_own_mm(tmp_path):
+    """Hooks and distances are measured on the body made smaller: holes are smaller there."""
+    ball = trimesh.creation.icosphere(3, 60.0)
+    ball.update_faces(ball.triangles[:, :, 2].max(axis=1) > -55)
+    ball.export(tmp_path / "ball.stl")
+    with pytest.warns(UserWarning, match="closed small holes"):
+        read = body_of_file(tmp_path / "ball.stl")
+    file = (("file", read["file"]), ("scale", 1.0))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        castable_request(
+            Request("imported", tuple(read["size_mm"]), file=file), tmp_path / "castable.stl"
+        )
 
 
 def test_kinds_know_where_their_halves_hook_nothing(monkeypatch):
