@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Bool
+from jaxtyping import Bool, Float
 
 from design.body.foreign import read_foreign_surface
 from design.errors import InputError
@@ -25,8 +25,15 @@ _WELD_MM = 1e-3
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
 _WIDEST_HOLE = 0.5
 """Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
+_FEWEST_CORNERS, _RAGGED = 1000, 0.05
+"""Corners from which on a surface may be a scan, which is drawn again where it crosses itself, up to that
+share of its shortest edge."""
+_GRID_POINTS, _REDRAWN_MM = 250_000, 0.05
+"""Points of the grid on which it is drawn, as castable bodies, and tolerance of its triangles."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
+_CRUMB = 0.01
+"""Share of the largest piece's volume, below which a piece apart from it, or a void in it, is no body."""
 
 
 def body_of_file(path: Path, scale: float = 1.0) -> dict[str, Any]:
@@ -77,7 +84,21 @@ def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     surface.apply_scale(scale)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
-    _require_simple(surface, path)
+    crossing = _deepest_crossing(surface)
+    if crossing is None:
+        return surface
+    deep_mm, place = crossing
+    if len(surface.vertices) < _FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
+        raise InputError(
+            f"the surface in {path} crosses itself, {deep_mm:.2g} mm deep at "
+            f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the program "
+            "that made it"
+        )
+    surface, step_mm = _redrawn(surface)
+    warnings.warn(
+        f"{path}: drawn again on a grid of {step_mm:.2g} mm, as it crosses itself {deep_mm:.2g} mm deep",
+        stacklevel=2,
+    )
     return surface
 
 
@@ -122,8 +143,11 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         count = len(_solid_pieces(surface))
         flat = surface.body_count - count
         done += [f"left out {flat} flat pieces, which enclose nothing"] if flat else []
-        done += [f"united {count} pieces that overlap"] if count > 1 else []
-        surface = united_surface(surface, path)
+        surface, crumbs = united_surface(surface, path)
+        largest_mm = max((float(max(crumb.extents)) for crumb in crumbs), default=0.0)
+        done += [f"left out {len(crumbs)} crumbs of up to {largest_mm:.2g} mm"] if crumbs else []
+        united = count - len(crumbs)
+        done += [f"united {united} pieces that overlap"] if united > 1 else []
     if done:
         warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
     return surface
@@ -165,10 +189,13 @@ def _fill_holes(surface: trimesh.Trimesh) -> list[str]:
     faces_open = len(surface.faces)
     # a hole is as large as the sphere round its box: half the diagonal, w/√2 of one w wide
     largest_mm = _WIDEST_HOLE * min(surface.extents) / 2**0.5
-    open_surface = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
-    closed = open_surface.fill_holes(largest_mm)
+    closed = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    # of a ragged border VTK may leave a smaller hole, which is closed likewise
+    count = -1
+    while closed.n_cells != count:
+        count, closed = closed.n_cells, closed.fill_holes(largest_mm)
     faces = closed.faces.reshape(-1, 4)[:, 1:]
-    if len(faces) == faces_open:
+    if count == faces_open:
         return []
     surface.vertices, surface.faces = np.asarray(closed.points, float), faces
     trimesh.repair.fix_winding(surface)
@@ -214,8 +241,11 @@ def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
     )
 
 
-def united_surface(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """The union of pieces that overlap; flat ones, which enclose nothing, are left out.
+def united_surface(
+    surface: trimesh.Trimesh, path: Path
+) -> tuple[trimesh.Trimesh, list[trimesh.Trimesh]]:
+    """Return the union of pieces that overlap, and crumbs that are left out: pieces of no size apart from
+    it, and voids of none in it. Flat pieces, which enclose nothing, are left out as well.
 
     Raises
     ------
@@ -224,14 +254,29 @@ def united_surface(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     """
     from design.body.meshes import boolean_of, signed_mm3
 
-    solid = _solid_pieces(surface)
+    larger, small = _parted_by_size(_solid_pieces(surface))
+    voids = [piece for piece in small if signed_mm3(piece) < 0]
+    solid = larger + [piece for piece in small if signed_mm3(piece) > 0]
     whole = all(signed_mm3(piece) > 0 for piece in solid)
-    united = boolean_of("union", solid) if solid and whole else surface
-    if united.body_count != 1:
+    pieces = _solid_pieces(boolean_of("union", solid)) if solid and whole else solid
+    whole_pieces, crumbs = _parted_by_size(pieces)
+    if len(whole_pieces) != 1:
         raise InputError(
-            f"{path} holds {len(solid)} separate surfaces. Export one closed body without holes inside"
+            f"{path} holds {len(pieces)} separate surfaces. Export one closed body without holes inside"
         )
-    return united
+    return whole_pieces[0], voids + crumbs
+
+
+def _parted_by_size(
+    pieces: list[trimesh.Trimesh],
+) -> tuple[list[trimesh.Trimesh], list[trimesh.Trimesh]]:
+    """Return pieces that count, and crumbs."""
+    from design.body.meshes import signed_mm3
+
+    volumes = [abs(signed_mm3(piece)) for piece in pieces]
+    least = _CRUMB * max(volumes, default=0.0)
+    counted = [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 >= least]
+    return counted, [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 < least]
 
 
 def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
@@ -243,18 +288,46 @@ def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
     return [piece for piece in pieces if abs(signed_mm3(piece)) > nothing]
 
 
-def _require_simple(surface: trimesh.Trimesh, path: Path) -> None:
-    """Refuse a surface that crosses itself: one of its edges then runs through a triangle."""
+def _deepest_crossing(
+    surface: trimesh.Trimesh,
+) -> tuple[float, Float[np.ndarray, "3"]] | None:
+    """Return how deep a surface crosses itself (mm) at most, and where; None of a simple one.
+
+    One of its edges then runs through a triangle.
+    """
     from design.body.meshes import manifold_of
 
     solid, corners = manifold_of(surface), np.asarray(surface.vertices)
+    deepest, deepest_at = _PIERCED_MM, None
     for start, end in corners[surface.edges_unique]:
         for hit in solid.ray_cast(tuple(start), tuple(end)):
             place, normal = np.asarray(hit.position), np.asarray(hit.normal)
             beyond = min(abs((start - place) @ normal), abs((end - place) @ normal))
-            if beyond > _PIERCED_MM:
-                raise InputError(
-                    f"the surface in {path} crosses itself, {beyond:.2g} mm deep at "
-                    f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the "
-                    "program that made it"
-                )
+            if beyond > deepest:
+                deepest, deepest_at = float(beyond), place
+    return None if deepest_at is None else (deepest, deepest_at)
+
+
+def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
+    """Return a surface drawn again where the signed distance to it is 0, its largest piece, and the grid's
+    step (mm).
+
+    What is inside is counted along lines: next to a fold, the nearest triangle does not show it.
+    """
+    import pyvista
+
+    from design.body.meshes import signed_mm3, simplified
+    from design.body.sampled import contour_of, grid_points, measured_where_near
+
+    step = (float(np.prod(surface.extents)) / _GRID_POINTS) ** (1 / 3)
+    points, count = grid_points(surface.extents / 2, step)
+    grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
+    closed = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
+    mask = closed.voxelize_binary_mask(reference_volume=grid)["mask"]
+    inside = np.asarray(mask, bool).reshape(count, order="F")
+    distance = abs(measured_where_near(surface, points, count, step, mirrored=False))
+    distance = np.where(inside, -distance, distance)
+    drawn = max(contour_of(distance, points[0], step).split(only_watertight=True), key=signed_mm3)
+    drawn = simplified(drawn, _REDRAWN_MM)
+    drawn.apply_translation(-drawn.bounds.mean(axis=0))
+    return drawn, step

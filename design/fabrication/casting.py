@@ -58,6 +58,9 @@ if TYPE_CHECKING:
 CEILING_MM2 = 100.0
 PEEL_SHARE = 0.33
 """Share of the elongation at break that peeling out of a mould may take: a third, an estimate."""
+_FILM_MM = 0.2
+"""Height of a printed layer, up to which caught air is a film: as under a core's nearly flat underside, which
+no vent can reach."""
 NEAR_MM = 0.15
 """Distance from the silicone's surface, within which a face touches it: triangles of both leave theirs by
 less."""
@@ -324,18 +327,21 @@ def check_traps(
 
 
 def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> Finding:
-    """Finding of high points that neither the open side nor a vent drains."""
+    """Finding of high points that neither the open side nor a vent drains; shallow ones are warned of."""
     vents = sum(hole.use == "vent" for hole in holes)
+    deepest = max(traps, key=lambda trap: trap.depth_mm, default=None)
+    status = "pass" if deepest is None else "fail" if deepest.depth_mm > _FILM_MM else "warn"
+    high = "" if deepest is None else f", bubbles there up to {deepest.depth_mm:.2g} mm high"
     return Finding(
         "air traps",
         part,
         float(len(traps)),
         0.0,
         "places",
-        "fail" if traps else "pass",
-        f"high points that neither the open side nor one of {vents} vents drains. Drill one there, or "
-        "turn the mould",
-        place_of(traps[0].place_mm) if traps else None,
+        status,
+        f"high points that neither the open side nor one of {vents} vents drains{high}. Drill one there, "
+        f"or turn the mould. Up to {_FILM_MM:g} mm: pour under vacuum",
+        None if deepest is None else place_of(deepest.place_mm),
     )
 
 

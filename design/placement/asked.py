@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
+from design.body.kinds.capsule import Capsule
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
 from design.fit.roughness import rough_patches
-from design.placement.hooking import shell_variants_of, with_thinnest
+from design.placement.hooking import shell_variants_of, simple_body_text, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
@@ -37,6 +39,8 @@ _DIGITS, _ROUNDED = 4, 0.999
 longest edge."""
 _MOULD_MM = 30.0
 """Room for walls and flanges, beyond the body."""
+_FACES = 6
+"""Faces of a body, at most."""
 _PLATE = 0.5
 """Share of the shorter of the other edges, up to which a height makes a plate."""
 
@@ -60,31 +64,46 @@ def most_printed_mm() -> float:
 def placements(request: Request) -> Iterator[Tables]:
     """The same for each shell that takes everything, the most generous first.
 
+    A request that takes fewer sensors has the number of a face of which the whole body takes most.
+
     Raises
     ------
     SpecError
         As `place_parts`.
     """
-    has_tables, request = False, with_thinnest(request)
-    for tables in fitting(request, shell_variants_of(request), SHARES):
-        has_tables = True
-        yield tables
-    if not has_tables:
+    request = with_thinnest(request)
+    shells, best, most = shell_variants_of(request), None, 0
+    for sensors in range(request.sensors, 0 if request.takes_fewer else request.sensors - 1, -1):
+        request = replace(request, sensors=sensors)
+        layouts = fitting(request, shells, SHARES)
+        first = next(layouts, None)
+        if first is None:
+            continue
+        of_body = sensors * len(spec_of(first).body.sensed)
+        if of_body > most:
+            best, most = chain([first], layouts), of_body
+        # all faces take them, or fewer on every face would be no more of them
+        if "sensed_faces" not in first["body"] or most >= (sensors - 1) * _FACES:
+            break
+    if best is None:
         raise SpecError(_not_placed(request))
+    yield from best
+
+
+def _bare(request: Request) -> Tables:
+    return bare_tables(request, request.thinnest)
 
 
 def _not_placed(request: Request) -> str:
-    size = " × ".join(f"{edge:g}" for edge in request.size_mm)
+    size = " × ".join(f"{edge:.4g}" for edge in request.size_mm)
     body = "an imported body" if request.file else f"a body of kind {request.kind}"
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     parts = f"{sensors} and {magnets} per face"
-    bare = bare_tables(request, request.thinnest)
-    rough = rough_patches(spec_of(bare)) if request.file else []
-    ways = [*_larger(request), *base_advice(request), *_fewer(request)]
+    ways = [*_larger(request), *base_advice(request), *_fewer(request), *_simpler(request)]
     if ways:
-        message = f"{body} of {size} mm is too small for {parts}"
-        return ". ".join([message, *rough, "; or ".join(ways)])
+        return f"{body} of {size} mm is too small for {parts}. {'; or '.join(ways)}"
+    rough = rough_patches(spec_of(_bare(request))) if request.file else []
     # what does not fit at any size is not too small
     longest = max(request.size_mm)
     growth = _most_growth(longest)
@@ -191,6 +210,14 @@ def _fewer(request: Request) -> Iterator[str]:
         if tables is not None:
             count = len(tables["magnets"]["positions_mm"])
             yield f"{count} magnet{'s' * (count > 1)} per face would fit"
+
+
+def _simpler(request: Request) -> Iterator[str]:
+    """A capsule about as thick and as long as a file's body."""
+    short, _, long = sorted(request.size_mm)
+    text = simple_body_text(request, Capsule.name, (short, short, long)) if request.file else ""
+    if text:
+        yield text
 
 
 def _fitting_roughly(request: Request) -> Request | None:

@@ -7,6 +7,7 @@ usual, whose magnets lie as far from the core as under the others.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
@@ -23,11 +24,13 @@ from design.errors import SpecError
 from design.files import atomic_path
 from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_depth_mm
 from design.placement.objects import (
+    COARSE,
     SHELL_VARIANTS,
     Request,
     ShellVariant,
     Tables,
     bare_tables,
+    first_fit,
     spec_of,
 )
 
@@ -51,6 +54,8 @@ no shell of 10 mm was placed."""
 _MOST_OFF, _MOST_FILLED = 0.15, 0.15
 """Distance of a castable body to its scan, as a share of its shortest edge, and share of its surface that may
 lie farther off, over hollows that are filled: beyond, it is another body."""
+_GROWTHS = (1.0, 1.15, 1.3, 1.5, 1.75, 2.0)
+"""Factors on the shortest edge of a simple body that is named in place of a file's."""
 _LEAST_DEEP = 0.25
 """Depth of the middle of a body's box below its surface, as a share of its shortest edge, at least."""
 _SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
@@ -105,16 +110,16 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         raise SpecError(
             f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
             f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
-            "Moulds of more than two halves are not made. Take a simple body, as --kind ellipsoid --size "
-            f"{x:.4g} {y:.4g} {z:.4g}, or fill the hollows in the program that made the file"
+            "Moulds of more than two halves are not made. Fill the hollows in the program that made the "
+            f"file; or {simple_body_text(request, 'ellipsoid', (x, y, z)) or 'choose another shape'}"
         )
     deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
     if deep_mm < _LEAST_DEEP * min(x, y, z):
         side = "below" if deep_mm > 0 else "outside"
         raise SpecError(
             f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
-            "thin bodies: there the core is held, and its wires leave. Take a "
-            f"straight body, as --kind capsule --size {min(x, y):.4g} {min(x, y):.4g} {z:.4g}"
+            "thin bodies: there the core is held, and its wires leave. Straighten it; or "
+            f"{simple_body_text(request, 'capsule', (min(x, y), min(x, y), z)) or 'choose another shape'}"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
@@ -123,6 +128,19 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         f"filled; the scan stands out of it by up to {out_mm:.2g} mm"
     )
     return _request_of(request, castable.surface, target), text
+
+
+def simple_body_text(request: Request, kind: str, size_mm: tuple[float, float, float]) -> str:
+    """Return the options of the least body of a kind, thick enough that its parts find room; or nothing."""
+    for growth in _GROWTHS:
+        x, y, z = (float(np.ceil(2 * edge) / 2) for edge in size_mm)
+        least = float(np.ceil(2 * growth * min(x, y, z)) / 2)
+        grown = (max(x, least), max(y, least), max(z, least))
+        wanted = replace(request, kind=kind, size_mm=grown, file=())
+        if KINDS[kind].takes_size(grown) and first_fit(wanted, SHELL_VARIANTS[-1:], COARSE):
+            size = " ".join(f"{edge:g}" for edge in grown)
+            return f"take a simple body, as --kind {kind} --size {size}"
+    return ""
 
 
 def _request_of(request: Request, surface: trimesh.Trimesh, target: Path) -> Request:
@@ -178,7 +196,10 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # repairs were said at the body's own scale
+        hooked_mm = least_hooked_mm(alike)
+    return _SPARE * hooked_mm * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
 
 
 @lru_cache(maxsize=16)

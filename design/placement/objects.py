@@ -126,7 +126,8 @@ _TURNED = {4: 2, 5: 3}
 class Request:
     """Request of a user: kind of body, its box (mm), sensors and magnets per face.
 
-    Without a number of magnets, as many as fit, five at most. An imported body has `size_mm` of its
+    Without a number of magnets, as many as fit, five at most; fewer sensors where these find no room, if
+    `takes_fewer`. An imported body has `size_mm` of its
     file, and the keys of `[body]` that read it in `file`. Without `faces` all are sensed on which
     everything finds room. Sizes that work are looked for under the `thinnest` shell.
     """
@@ -138,6 +139,7 @@ class Request:
     file: tuple[tuple[str, Any], ...] = ()
     faces: tuple[int, ...] | None = None
     thinnest: ShellVariant = SHELL_VARIANTS[-1]
+    takes_fewer: bool = False
 
 
 def first_fit(
@@ -293,7 +295,10 @@ def _with_sensors(
         return None
     try:
         halves = [np.array(frame.half_extents_mm) for frame in core_frames(start)]
-    except InputError:  # no core lies that deep, or a face of it has no patch
+        if body_of(start).sampled:
+            body_of(start).core_surface()
+    # no core lies that deep, it falls into pieces, as in a bottle's neck, or a face of it has no patch
+    except InputError:
         return None
     if min(min(half) for half in halves) <= 0:
         return None

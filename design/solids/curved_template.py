@@ -31,8 +31,8 @@ NOTCH_MM = 2.0
 _WITHIN = 1 - 1e-9
 """Used share of a face: rounding puts some of its rim beyond it, where the surface is not known."""
 _SMALLER, _INNER, _EDGE_DEG = (1.0, 0.95, 0.9, 0.85), 0.75, 25.0
-"""Shares of the sheet that are tried where its rim leans that much more than the surface farther inside: on a
-body's rounded edge a sheet is ragged, and thinner than can be printed."""
+"""Shares of the sheet that are tried where its rim leans that much more than the surface farther inside, on a
+body's rounded edge, where a sheet grows thinner."""
 _LINES, _FEW, _SECTIONS, _OVER_MM, _ALIKE_MM = 49, 9, 48, 1.0, 0.05
 
 
@@ -84,14 +84,20 @@ def sheet_half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float,
     far = np.max([pocket.reach_mm for pocket in pockets], axis=0)
     most = _WITHIN * np.asarray(frame.half_extents_mm)
     half = np.minimum((2**0.5 if frame.round else 1.0) * far + RIM_MM, most)
-    ring, norm = _lattice(frame, _FEW), 2 if frame.round else np.inf
-    rim, reach = ring.share[ring.rim], max(np.linalg.norm(p.reach_mm / half, norm) for p in pockets)
-    inner_deg = _lean_deg(frame, _INNER * half * rim)
+    norm = 2 if frame.round else np.inf
+    reach = max(np.linalg.norm(p.reach_mm / half, norm) for p in pockets)
     for smaller in (share * half for share in _SMALLER if share > reach):
-        if np.max(_lean_deg(frame, smaller * rim) - inner_deg) < _EDGE_DEG:
+        if not _rim_leans(frame, smaller):
             half = smaller
             break
     return float(half[0]), float(half[1])
+
+
+def _rim_leans(frame: FaceFrame, half_mm: Float[np.ndarray, "2"]) -> bool:
+    """Return whether a sheet's rim lies on a rounded edge."""
+    ring = _lattice(frame, _FEW)
+    rim = ring.share[ring.rim] * half_mm
+    return bool(np.max(_lean_deg(frame, rim) - _lean_deg(frame, _INNER * rim)) >= _EDGE_DEG)
 
 
 def _lean_deg(frame: FaceFrame, places_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
@@ -149,15 +155,20 @@ def _centres(pockets: tuple[Pocket, ...]) -> Float[np.ndarray, "n 2"]:
 def _sheet(
     frame: FaceFrame, half_mm: tuple[float, float], heights_mm: tuple[float, float]
 ) -> trimesh.Trimesh:
-    """Closed sheet between two heights above the face, in the object's frame."""
+    """Closed sheet between two heights above the face, in the object's frame.
+
+    On a rounded edge it goes on in the direction of the normals farther inside: its own cross each other.
+    """
     import trimesh
 
     lattice = _lattice(frame, _LINES)
     count, rim, after = len(lattice.share), lattice.rim, np.roll(lattice.rim, -1)
-    low, high = (
-        frame.to_object(np.column_stack([lattice.share * half_mm, np.full(count, height)]))
-        for height in heights_mm
-    )
+    places = lattice.share * half_mm
+    far = np.linalg.norm(lattice.share, 2 if frame.round else np.inf, axis=1)
+    inner = _INNER if _rim_leans(frame, np.asarray(half_mm)) else 1.0
+    up = frame.axes_at(places * np.minimum(1.0, inner / np.maximum(far, inner))[:, None])[..., 2]
+    foot = frame.to_object(np.column_stack([places, np.zeros(count)]))
+    low, high = (foot + height * up for height in heights_mm)
     walls = [
         np.column_stack([rim, after, after + count]),
         np.column_stack([rim, after + count, rim + count]),

@@ -25,13 +25,8 @@ run = instobj.Run(instobj.load_spec(specification))
 parts = instobj.build_parts(run.spec, Path(tempfile.mkdtemp())).parts
 with (run.require("sheet").folder / "orders.csv").open() as file:
     price_eur = sum(float(line["high_eur"]) for line in csv.DictReader(file))
-bound = run.scores.position_bound_mm  # face, place
-figure, panels = plt.subplots(
-    1, len(bound.face), figsize=(11, 3), sharey=True, squeeze=False, layout="constrained"
-)
-for panel, face in zip(panels[0], bound.transpose("face", ...), strict=True):
-    points = panel.scatter(face.x_mm, face.y_mm, c=face, vmin=0, vmax=5, cmap="viridis_r")
-    panel.set(title=f"face {int(face.face)}", xlabel="x (mm)", aspect="equal")
-figure.colorbar(points, label="position bound (mm)", extend="max")
-figure.suptitle(f"{run.spec.name}: {len(parts)} parts to print, at most {price_eur:.0f} EUR to buy")
+figure, axes = plt.subplots(figsize=(11, 7), layout="constrained")
+axes.imshow(plt.imread(run.require("scores").folder / "maps" / "position_bound_overview.png"))
+axes.set_title(f"{run.spec.name}: {len(parts)} parts to print, at most {price_eur:.0f} EUR to buy")
+axes.axis("off")
 plt.show()

@@ -73,7 +73,8 @@ def new(
     kind: BodyKind = None,
     size: BodySize = None,
     sensors: Annotated[
-        int | None, typer.Option(min=1, max=12, help="Sensors per face (default: 3).")
+        int | None,
+        typer.Option(min=1, max=12, help="Sensors per face (default: 3, or as many as fit)."),
     ] = None,
     magnets: Annotated[
         int | None,

@@ -18,6 +18,7 @@ import numpy as np
 
 from design.body.imported import body_of_file
 from design.body.kinds.registry import KINDS
+from design.catalogue.printers import PRINTERS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
@@ -31,7 +32,7 @@ from design.layout.mould.frame import (
     undercut_depth_mm,
 )
 from design.layout.places.coverage import covered_share
-from design.placement.asked import most_printed_mm, placements
+from design.placement.asked import placements
 from design.placement.exact_kinds import exact_kind_in_words
 from design.placement.hooking import (
     castable_request,
@@ -41,7 +42,7 @@ from design.placement.hooking import (
 from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import BodySpec
-from design.spec.object import ObjectSpec
+from design.spec.fabrication import PrinterSpec
 from design.spec_io import load_spec
 from estimator.layouts.without_mesh import first_score
 from instobj.commands.first_layout import parts_that_help, scored_first
@@ -116,14 +117,22 @@ def new_specification(
                 castable.unlink(missing_ok=True)
             raise
         tables = with_edges_that_fit(request, tables)
+        usual, request = request.sensors, _with_sensors_of(request, tables)
+        if request.sensors < usual:
+            warnings.warn(
+                f"{usual} sensors find no room on a face; {request.sensors} do",
+                stacklevel=2,
+            )
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
         for text in roughness_in_words(spec_of(tables)) if request.file else ():
             warnings.warn(text, stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
-        if max(request.size_mm) > most_printed_mm():
-            warnings.warn(_bed_warning(request), stacklevel=2)
+        short_mm = max((-finding.value for finding in failed if finding.check == _BED), default=0.0)
+        if short_mm > 0:
+            tables, text = _with_larger_bed(tables, short_mm)
+            warnings.warn(text, stacklevel=2)
     with atomic_path(target) as temporary:
         temporary.write_text(specification_text(name, out, tables), encoding="utf-8")
     return target
@@ -138,6 +147,7 @@ def placed_text(path: Path, request: Request | None = None) -> str:
         if request.file:  # a scan may have been made castable
             file = (("file", spec.body.file), ("scale", spec.body.scale))
             request = replace(request, size_mm=spec.body.size_mm, file=file)
+        request = replace(request, sensors=spec.sensors.count_per_face)
         with _timed_stage(ProgressLine(), "what more parts would bring"):
             helps = parts_that_help(request, spec, score)
     lines = (
@@ -188,6 +198,7 @@ def designed(request: Request) -> Made:
     progress = ProgressLine()
     with _timed_stage(progress, "places by rules"):
         placed = next(placements(request))
+    request = _with_sensors_of(request, placed)
     layouts, again = tee(scored_first(request, placed))
     best = _first_that_can_be_made(layouts, _OF_THE_BODY, progress)
     if best is not None:
@@ -198,6 +209,13 @@ def designed(request: Request) -> Made:
         layouts = again if by_rules[0] == placed else scored_first(request, by_rules[0])
         best = _first_that_can_be_made(layouts, _checks(by_rules), progress)
     return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
+
+
+def _with_sensors_of(request: Request, tables: Tables) -> Request:
+    """Return a request that takes fewer sensors for as many as tables have."""
+    if not request.takes_fewer:
+        return request
+    return replace(request, sensors=spec_of(tables).sensors.count_per_face)
 
 
 @contextmanager
@@ -414,7 +432,7 @@ def request_of(
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
     request = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
-    request = request if sensors is None else replace(request, sensors=sensors)
+    request = replace(request, sensors=sensors or request.sensors, takes_fewer=sensors is None)
     if file is None:
         return request
     mm = 1.0 if scale is None else scale
@@ -492,9 +510,12 @@ def _left_out_faces(request: Request, sensed: list[int]) -> str:
     )
 
 
-def _bed_warning(request: Request) -> str:
-    bed = " × ".join(f"{edge:g}" for edge in ObjectSpec(name="default").printer.bed_mm)
-    return (
-        f"moulds of bodies above {most_printed_mm():g} mm do not fit the printer's {bed} mm, which check "
-        f"--fabrication will say; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
-    )
+def _with_larger_bed(tables: Tables, short_mm: float) -> tuple[Tables, str]:
+    """Return tables with the largest bed of the catalogue where parts fit it, and what to do in words."""
+    usual, large = PrinterSpec().bed_mm, max(p.bed_mm for p in PRINTERS.values())
+    beds = [" × ".join(f"{edge:g}" for edge in bed) for bed in (usual, large)]
+    text = f"parts are up to {short_mm:.3g} mm too large for a printer of {beds[0]} mm"
+    if short_mm > min(b - a for a, b in zip(sorted(usual), sorted(large), strict=True)):
+        return tables, f"{text}, and for one of {beds[1]} mm, which check --fabrication will say"
+    changed = tables | {"printer": {"bed_mm": list(large)}}
+    return changed, f"{text}: printer.bed_mm = {list(large)} is taken, as print services have"

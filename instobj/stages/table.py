@@ -74,7 +74,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=21,
+        version=22,
     ),
     "sheet": Stage(
         "design: order list and assembly sheet",
@@ -88,7 +88,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=17,
+        version=18,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=5),
     "response": Stage(

@@ -121,7 +121,7 @@ def test_a_recording_that_was_written_trains_an_estimator(run_script):
 def test_a_scan_becomes_parts_a_map_and_a_price(run_script):
     scan = run_script(7)
     assert {"core", "shell"} <= {part.name for part in scan["parts"]}
-    assert np.all(scan["bound"] > 0)
+    assert np.all(scan["run"].scores.position_bound_mm > 0)
     assert 20 < scan["price_eur"] < 1000
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,5 +43,10 @@ class OffsetBody(BodyKind):
 
     def volume_mm3(self) -> float:
         """That of the triangles."""
-        silicone = self.outer_surface().difference(self.with_bore(self.core_surface()))
-        return float(silicone.volume)
+        return _volume_mm3(self)
+
+
+@lru_cache(maxsize=16)
+def _volume_mm3(body: OffsetBody) -> float:
+    silicone = body.outer_surface().difference(body.with_bore(body.core_surface()))
+    return float(silicone.volume)

@@ -200,6 +200,13 @@ def _without_numbers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return surface
 
 
+def _with_crumbs(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    crumb = trimesh.creation.icosphere(2, 1.0)
+    void = crumb.copy()
+    void.invert()
+    return surface + crumb.copy().apply_translation((90.0, 0, 0)) + _moved(crumb, 99.0) + void
+
+
 def _written(folder: Path, change, **options) -> Path:
     change(_pebble(3)).export(folder / "body.stl", **options)
     return folder / "body.stl"
@@ -213,6 +220,7 @@ def _written(folder: Path, change, **options) -> Path:
         pytest.param(_some_inverted, "turned triangles outwards", id="some triangles inverted"),
         pytest.param(_jittered, r"welded \d+ corners within 0\.001 mm", id="corners apart"),
         pytest.param(_with_stray, "left out 1 flat pieces", id="a stray triangle"),
+        pytest.param(_with_crumbs, r"left out 3 crumbs of up to 2 mm", id="crumbs of a scan"),
     ],
 )
 def test_what_can_be_repaired_is_with_a_warning(tmp_path, change, told):
@@ -235,6 +243,35 @@ def test_a_wide_hole_is_closed_flat(tmp_path):
     cap = np.pi * 2.5**2 * (30 - 2.5 / 3)
     assert closed.volume == pytest.approx(4 / 3 * np.pi * 30**3 - cap, rel=5e-3)
     assert closed.extents[2] == pytest.approx(57.5, abs=1.0)
+
+
+def test_a_scan_that_crosses_itself_a_little_is_drawn_again(tmp_path):
+    """Some corners of a pebble are pushed past their neighbours, as where triangles were left out."""
+    scan = _pebble(4)
+    volume = scan.volume
+    for corner in range(0, 2000, 250):
+        near = scan.vertices[scan.vertex_neighbors[corner]]
+        scan.vertices[corner] += 3 * (near[0] - near.mean(axis=0)) - scan.vertex_normals[corner] / 2
+    scan.export(tmp_path / "scan.stl")
+    with pytest.warns(
+        UserWarning, match=r"drawn again on a grid of 0\.\d+ mm, as it crosses itself"
+    ):
+        drawn = read_surface(str(tmp_path / "scan.stl"))
+    assert drawn.is_watertight
+    assert drawn.volume == pytest.approx(volume, rel=0.01)
+    assert_allclose(drawn.extents, SIZE, atol=0.3)
+
+
+def test_a_ragged_hole_is_closed(tmp_path):
+    """Of this border, whose corners lie in no plane, VTK at first leaves a hole of four."""
+    ball = trimesh.creation.icosphere(3, 30)
+    noise = np.random.default_rng(2).normal(0, 1, (len(ball.vertices), 1))
+    ball.vertices += noise * ball.vertex_normals
+    middles = ball.triangles_center
+    ball.update_faces(np.linalg.norm(middles - middles[485], axis=1) > 7)
+    ball.export(tmp_path / "ball.stl")
+    with pytest.warns(UserWarning, match="closed small holes"):
+        assert read_surface(str(tmp_path / "ball.stl")).is_watertight
 
 
 def test_a_triangle_of_no_height_that_closes_a_side_is_no_hole(tmp_path):
@@ -265,7 +302,7 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
     grain = trimesh.creation.icosphere(1, 0.3)
     grain.apply_translation([30.0, 0.0, 0.0])
     box = trimesh.creation.box([60.0, 60.0, 60.0])
-    united = united_surface(box + grain, Path("a.stl"))
+    united, _ = united_surface(box + grain, Path("a.stl"))
     assert united.body_count == 1
     assert united.volume == pytest.approx(60.0**3 + grain.volume / 2)
 

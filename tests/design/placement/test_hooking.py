@@ -1,10 +1,20 @@
 """Shells for bodies that the halves of a mould hook, by hand."""
 
-import pytest
+import re
+import warnings
+from dataclasses import replace
 
+import numpy as np
+import pytest
+import trimesh
+
+from design.body.imported import body_of_file
+from design.errors import SpecError
+from design.fit.everything import problems_of
 from design.placement import hooking
-from design.placement.hooking import shell_variants_of, with_thinnest
-from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant
+from design.placement.asked import place_parts
+from design.placement.hooking import castable_request, shell_variants_of, with_thinnest
+from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant, spec_of
 
 
 def lump(longest_mm, scale=1.0):
@@ -48,6 +58,40 @@ def test_a_body_that_hooks_gets_a_shell_that_gives_way(
     assert with_thinnest(lump(longest_mm)).thinnest == thinnest
     assert {body.size_mm for body in seen} == {(60.0, 48.0, 30.0)}
     assert {dict(body.file)["scale"] for body in seen} == {60.0 / longest_mm}
+
+
+def test_a_bent_scan_is_refused_with_a_straight_body_that_takes_all_parts(tmp_path):
+    """A bow of Ø 24 mm: a straight one of Ø 24 mm would be too thin."""
+    bow = trimesh.creation.icosphere(4)
+    x, y, z = (bow.vertices * (12, 12, 90)).T
+    bow.vertices = np.column_stack([(90 + x) * np.cos(z / 90), y, (90 + x) * np.sin(z / 90)])
+    bow.vertices += np.random.default_rng(0).normal(0, 0.1, bow.vertices.shape)
+    bow.export(tmp_path / "bow.stl")
+    read = body_of_file(tmp_path / "bow.stl")
+    request = Request(
+        "imported", tuple(read["size_mm"]), file=(("file", read["file"]), ("scale", 1.0))
+    )
+    with pytest.raises(SpecError, match=r"outside its surface, as of bent and thin") as refused:
+        castable_request(replace(request, takes_fewer=True), tmp_path / "castable.stl")
+    named = re.findall(r"--kind capsule --size ([\d.]+) ([\d.]+) ([\d.]+)", str(refused.value))
+    size = tuple(map(float, named[0]))
+    assert 24 <= size[0] <= 32
+    assert problems_of(spec_of(place_parts(Request("capsule", size, takes_fewer=True)))) == []
+
+
+def test_what_is_closed_is_said_once_in_the_file_s_own_mm(tmp_path):
+    """Hooks and distances are measured on the body made smaller: holes are smaller there."""
+    ball = trimesh.creation.icosphere(3, 60.0)
+    ball.update_faces(ball.triangles[:, :, 2].max(axis=1) > -55)
+    ball.export(tmp_path / "ball.stl")
+    with pytest.warns(UserWarning, match="closed small holes"):
+        read = body_of_file(tmp_path / "ball.stl")
+    file = (("file", read["file"]), ("scale", 1.0))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        castable_request(
+            Request("imported", tuple(read["size_mm"]), file=file), tmp_path / "castable.stl"
+        )
 
 
 def test_kinds_know_where_their_halves_hook_nothing(monkeypatch):

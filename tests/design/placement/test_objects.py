@@ -12,7 +12,7 @@ import trimesh
 
 from design.body.imported import body_of_file
 from design.body.surface_chart import steepest_reach_mm
-from design.errors import SpecError
+from design.errors import InputError, SpecError
 from design.fit.everything import problems_of
 from design.layout.boards import (
     mounted_sensors,
@@ -20,12 +20,20 @@ from design.layout.boards import (
     smallest_recess_wall_mm,
     wire_bundle_mm,
 )
+from design.layout.body import body_of
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
 from design.placement.asked import base_advice, place_parts
-from design.placement.objects import Request, ShellVariant, first_fit, relaid, spec_of
+from design.placement.objects import (
+    Request,
+    ShellVariant,
+    bare_tables,
+    first_fit,
+    relaid,
+    spec_of,
+)
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -165,6 +173,38 @@ def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
     smaller = tuple(0.8 * edge for edge in size)
     with pytest.raises(SpecError, match="too small"):
         place_parts(Request("pad", smaller, 4))
+
+
+@pytest.mark.parametrize(
+    ("kind", "size", "sensors", "faces"),
+    [
+        ("sphere", (30.0, 30.0, 30.0), 1, 5),  # two find room on one face alone
+        ("capsule", (26.0, 26.0, 150.0), 2, 4),  # three find room on one face alone
+        ("box", (60.0, 40.0, 30.0), 3, 5),
+    ],
+)
+def test_a_small_body_takes_as_many_sensors_as_it_can(kind, size, sensors, faces):
+    request = Request(kind, size, takes_fewer=True)
+    spec = spec_of(place_parts(request))
+    assert problems_of(spec) == []
+    assert (spec.sensors.count_per_face, len(spec.body.sensed)) == (sensors, faces)
+
+
+def test_a_shell_that_leaves_a_core_in_pieces_is_not_placed(tmp_path):
+    """A stopper on a neck of Ø 12 mm: `new` ended with an error in the midst of its search."""
+    parts = [
+        trimesh.creation.cylinder(30.0, 80.0, sections=64),
+        trimesh.creation.cylinder(6.0, 40.0, sections=64).apply_translation((0.0, 0.0, 50.0)),
+        trimesh.creation.icosphere(3, 16.0).apply_translation((0.0, 0.0, 75.0)),
+    ]
+    trimesh.boolean.union(parts, engine="manifold").export(tmp_path / "stopped.stl")
+    read = body_of_file(tmp_path / "stopped.stl")
+    shell = ShellVariant(8.0, 6.0, 3.0)
+    request = Request("imported", tuple(read["size_mm"]), 1, 1, (("file", read["file"]),))
+    request = replace(request, faces=(3,), thinnest=shell)
+    with pytest.raises(InputError, match="leave 2 pieces of core"):
+        body_of(spec_of(bare_tables(request, shell))).core_surface()
+    assert first_fit(request, (shell,), (0.46,)) is None
 
 
 def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():

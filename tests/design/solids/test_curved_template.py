@@ -7,6 +7,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
+from design.body.meshes import thinnest_wall
 from design.layout.body import face_frames
 from design.layout.template_marks import pockets_by_face
 from design.solids.curved_template import (
@@ -118,3 +119,25 @@ def test_marks_keep_off_a_round_rim():
     ends = np.asarray(bars.vertices)[:, :2]
     assert np.linalg.norm(ends / half, axis=1).max() < 1
     assert np.linalg.norm(ends[:, None] - ring, axis=2).min() > 1.25
+
+
+def test_a_sheet_on_a_rounded_edge_is_as_thick_as_can_be_printed(tmp_path):
+    """Pockets reach to the edges of a carton's narrow face, where normals cross each other."""
+    corners = trimesh.creation.box((70.9, 25.4, 82.8)).vertices
+    balls = [trimesh.creation.icosphere(3, 1.5) for _ in corners]
+    points = [ball.vertices + corner for ball, corner in zip(balls, corners, strict=True)]
+    carton = trimesh.convex.convex_hull(np.concatenate(points))
+    carton.export(tmp_path / "carton.stl")
+    places = [[0, 0], [19.35, 7.46], [-19.35, 7.46], [-19.35, -7.46], [19.35, -7.46]]
+    body = {"kind": "imported", "file": str(tmp_path / "carton.stl"), "sensed_faces": [1, 3]}
+    spec = ObjectSpec.model_validate(
+        {
+            "name": "t",
+            "body": body | {"size_mm": carton.extents.tolist()},
+            "magnets": {"positions_mm": places},
+            "shell": {"thickness_mm": 7.0, "pocket_depth_mm": 4.0},
+        }
+    )
+    for face in spec.body.sensed:
+        template = make_curved_template(spec, face)
+        assert thinnest_wall(template).thickness_mm > spec.printer.wall_mm

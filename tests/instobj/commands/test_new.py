@@ -102,16 +102,26 @@ def test_faces_that_are_left_out_are_told(tmp_path):
     assert tomllib.loads(path.read_text())["body"]["sensed_faces"] == [2, 4]
 
 
-def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path):
-    bed = Finding("fits the bed", "mould_half_a", -3.0, 0.0, "mm", "fail", "")
-    with pytest.warns(UserWarning, match=r"bodies above 190 mm .* 200 mm long. Give yours") as told:
-        new_specification(
+def test_parts_longer_than_the_printers_bed_take_a_larger_one(tmp_path):
+    """The largest bed of the catalogue takes 60 mm more along every edge."""
+    for name, short, given, said in (
+        (
             "mine",
-            tmp_path,
-            Request("box", (200.0, 50.0, 50.0)),
-            lambda _: (placed_tables("box"), [bed]),
-        )
-    assert len(told) == 1
+            3.0,
+            300.0,
+            r"3 mm too large for a printer of 220 × 220 × 240 mm: printer\.bed_mm",
+        ),
+        ("larger", 70.0, None, r"70 mm too large .* and for one of 300 × 300 × 300 mm"),
+    ):
+        bed = Finding("fits the bed", "mould_half_a", -short, 0.0, "mm", "fail", "")
+        request = Request("box", (200.0, 50.0, 50.0))
+        with pytest.warns(UserWarning, match=said) as told:
+            path = new_specification(
+                name, tmp_path, request, lambda _, bed=bed: (placed_tables("box"), [bed])
+            )
+        assert len(told) == 1
+        printer = tomllib.loads(path.read_text()).get("printer")
+        assert printer == (given and {"bed_mm": [given] * 3})
 
 
 THIN = Finding("thinnest wall", "mould_half_a", 0.5, 0.8, "mm", "fail", "thicken it")
