@@ -117,9 +117,9 @@ def _jaw_at_force(jaw: JawFace, force_n: float, covered: float = 1.0) -> _JawAtF
     by_pose = np.subtract(*np.split(felt, 2)).T / (2 * steps)
     # a gained depth over half an edge is the tangent of the tilt; the size is high less low edge
     by_tilt = np.hstack([np.zeros((2, 1)), np.degrees(np.diag(1 / (covered * jaw.half_mm)))])
-    geometry = block_diag(by_tilt, np.kron(np.eye(2), [-1.0, 1.0]))[:, unknown]
+    geometry = np.asarray(block_diag(by_tilt, np.kron(np.eye(2), [-1.0, 1.0])))[:, unknown]
     ends = np.stack([motion for *_, motion in pressed])
-    functions = np.vstack([by_pose, geometry])
+    functions = np.concatenate([by_pose, geometry])
     return _JawAtForce(jaw.face, covered, float(depth), level, ends, steps, functions)
 
 
