@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from estimator.information.scores import PlaceScores, weakest_place
 from estimator.information.weak_areas import bound_of_most
 from estimator.tolerances.saturation import KEPT_BY, Saturation
 from instobj.report.cells import percent_text
+
+if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
 
 ENOUGH_COVERED = 0.8
 """Share of the surface from which little of it is left out."""
@@ -201,11 +204,12 @@ def sides_of(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> list[st
 
 
 def place_text(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> str:
-    """Say in words where on a face a location is: its middle, an edge or a corner, by the face's x and y."""
+    """Say in words where on a face a location is: its middle, an edge or a corner, by the face's x and y; on
+    a curved one also towards which end or side of the body."""
     frame = next(frame for frame in face_frames(spec) if frame.number == face)
     shares = np.divide(xy_mm, frame.half_extents_mm)
     sides = sides_of(spec, face, xy_mm)
-    coordinates = f"({xy_mm[0]:g}, {xy_mm[1]:g}) mm"
+    coordinates = f"({xy_mm[0]:g}, {xy_mm[1]:g}) mm" + _direction_text(spec, frame, xy_mm)
     if len(sides) == 2:
         return f"near the corner {' '.join(sides)} of face {face}, at {coordinates}"
     if sides:
@@ -213,6 +217,28 @@ def place_text(spec: ObjectSpec, face: int, xy_mm: tuple[float, float]) -> str:
         return f"near {middle}the edge {sides[0]} of face {face}, at {coordinates}"
     where = "in the middle" if max(abs(shares)) <= _MIDDLE else "between middle and edge"
     return f"{where} of face {face}, at {coordinates}"
+
+
+_TOWARDS, _LONGER = 0.5, 1.2
+"""Share of half the body's length along an axis from which a location lies towards that end; the longest
+axis has ends, others have sides, if it is so much longer than the next."""
+
+
+def _direction_text(spec: ObjectSpec, frame: FaceFrame, xy_mm: tuple[float, float]) -> str:
+    """Say towards which ends and sides of a body a location on a curved face lies, the farthest first."""
+    if frame.flat:
+        return ""
+    on_plane = frame.to_plane(np.array([xy_mm]))
+    (point,) = frame.to_object(np.pad(on_plane, ((0, 0), (0, 1))))
+    shares = 2 * point / spec.body.size_mm
+    lengths = sorted(spec.body.size_mm)
+    words = [
+        f"{'+' if shares[axis] > 0 else '−'}{'xyz'[axis]} "
+        + ("end" if spec.body.size_mm[axis] > _LONGER * lengths[1] else "side")
+        for axis in np.argsort(-abs(shares))
+        if abs(shares[axis]) >= _TOWARDS
+    ]
+    return f", towards the body's {' and '.join(words)}" if words else ""
 
 
 def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:

@@ -1,15 +1,19 @@
 """The verdict: figures against their limits, and what limits the object."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from design.spec_io import load_spec
 from estimator.information.scores import score_places
 from estimator.signals.presses import press_signals
 from estimator.tolerances.saturation import Saturation
 from instobj.report import verdict
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 @pytest.mark.parametrize(
@@ -129,6 +133,25 @@ def test_the_sentence_s_numbers_are_those_of_the_table():
 def test_a_place_is_said_in_words(xy_mm, text):
     told = verdict.place_text(coarse_spec(), 2, xy_mm)
     assert told == f"{text}, at ({xy_mm[0]:g}, {xy_mm[1]:g}) mm"
+
+
+@pytest.mark.parametrize(
+    ("example", "face", "xy_mm", "text"),
+    [
+        (
+            "capsule",
+            1,
+            (0.0, 0.0),
+            "in the middle of face 1, at (0, 0) mm, towards the body's +z end",
+        ),
+        ("capsule", 5, (30.0, 0.0), ", towards the body's −x side and −z end"),
+        ("egg", 1, (18.0, 0.0), ", towards the body's +z side and +x end"),
+        ("ball", 2, (15.0, 0.0), ", towards the body's −y side and −z side"),
+    ],
+)
+def test_a_place_on_a_curved_face_is_said_by_the_body_s_ends_and_sides(example, face, xy_mm, text):
+    spec = load_spec(EXAMPLES / f"{example}.toml")
+    assert verdict.place_text(spec, face, xy_mm).endswith(text)
 
 
 def test_a_design_is_judged_before_its_virtual_objects():
