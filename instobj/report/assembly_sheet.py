@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import ceil, degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,6 +28,7 @@ from instobj.report.assembly_steps import has_template, steps
 from instobj.report.pages import render
 
 if TYPE_CHECKING:
+    from design.build.slicing import PrintJob
     from design.layout.mould.pins import PinKind
 
 _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
@@ -49,12 +50,13 @@ def assembly_sheet(
     plan: BusPlan | None = None,
     orders: Sequence[OrderLine] = (),
     demoulding_png: Path | None = None,
+    jobs: Mapping[str, PrintJob] | None = None,
 ) -> str:
     """The page as HTML in a single file; print it to get a PDF.
 
     `pins` are the loose pins of a split mould (`design.mould.pins.pins_by_kind`), `plan` is how the
     paper's board reads the sensors, `orders` are the parts to buy for both.
-    Where nothing is cast there is no picture of demoulding.
+    Where nothing is cast there is no picture of demoulding. `jobs` are what a slicer says of printed parts.
     """
     parts = [part.name for part in manifest.parts]
     frames = face_frames(spec) if spec.arrangement == "sensors-in-core" else core_frames(spec)
@@ -75,7 +77,8 @@ def assembly_sheet(
         bundle_mm=wire_bundle_mm(spec),
         leave="the holes of the locating pins" if opening_of(spec) == "closed" else "the open face",
         pins=_pin_rows(pins),
-        prints=[_print(part) for part in manifest.parts if part.printing is not None],
+        prints=[_print(part, jobs) for part in manifest.parts if part.printing is not None],
+        jobs=_jobs_text(manifest, jobs),
         steps=steps(spec, parts),
         materials=_materials(spec, manifest),
         mass=mass_text(spec),
@@ -267,9 +270,11 @@ def _materials(spec: ObjectSpec, manifest: BuildManifest) -> list[list[str]]:
     ]
 
 
-def _print(part: PartManifest) -> list[str]:
+def _print(part: PartManifest, jobs: Mapping[str, PrintJob] | None) -> list[str]:
     settings = part.printing
     assert settings is not None
+    job = None if jobs is None else jobs.get(part.name)
+    sliced = ["–", "–"] if job is None else [_duration(job.minutes), f"{job.filament_g:.0f}"]
     return [
         part.name,
         str(part.count),
@@ -278,7 +283,26 @@ def _print(part: PartManifest) -> list[str]:
         f"{settings.infill_percent} %",
         "from the bed" if settings.supports else "none",
         f"{settings.brim_mm:g} mm" if settings.brim_mm else "none",
+        *(sliced if jobs is not None else ()),
     ]
+
+
+def _jobs_text(manifest: BuildManifest, jobs: Mapping[str, PrintJob] | None) -> str:
+    """Say what all pieces take together; nothing without a slicer."""
+    if not jobs:
+        return ""
+    counts = {part.name: part.count for part in manifest.parts}
+    minutes = sum(counts[name] * job.minutes for name, job in jobs.items())
+    filament_g = sum(counts[name] * job.filament_g for name, job in jobs.items())
+    return (
+        f"All pieces: {_duration(minutes)} and {filament_g:.0f} g, by PrusaSlicer's default speeds."
+    )
+
+
+def _duration(minutes: float) -> str:
+    """Hours and minutes."""
+    hours, rest = divmod(round(minutes), 60)
+    return f"{hours} h {rest:02d} min" if hours else f"{rest} min"
 
 
 def _order(line: OrderLine) -> list[str]:

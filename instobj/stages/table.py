@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from design.build.slicing import has_slicer
 from instobj.stages.makers.alternatives import make_alternatives
 from instobj.stages.makers.collection import make_collection
 from instobj.stages.makers.deformation import make_large_strain, make_shapes
@@ -81,7 +82,8 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell", "imu"),
         make_sheet,
-        version=16,
+        # the sheet has time and filament where a slicer is installed: another result
+        version=18 + has_slicer(),
     ),
     "fabrication": Stage(
         "design: fabrication checks",

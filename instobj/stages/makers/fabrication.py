@@ -41,6 +41,7 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     """Parts to order and assembly sheet of a build."""
     from design.build.manifest import BuildManifest
     from design.build.order_list import order_list, write_orders
+    from design.build.slicing import has_slicer, print_job
     from design.files import atomic_path
     from design.layout.core_hold import has_mould
     from design.layout.mould.frame import mould_style
@@ -64,6 +65,15 @@ def make_sheet(context: StageContext, folder: Path) -> None:
         context.step("drawing the order of demoulding")
         loose = loose_pins(spec) if split else ()
         opening = draw_demoulding(spec, parts, loose, DEMOULDING.path(folder))
+    jobs = None
+    if has_slicer():
+        context.step("slicing the printed parts")
+        sliced = {
+            part.name: print_job(parts / f"{part.name}.3mf", spec.printer)
+            for part in manifest.parts
+            if part.printing is not None
+        }
+        jobs = {name: job for name, job in sliced.items() if job is not None}
     with atomic_path(ASSEMBLY_SHEET.path(folder)) as path:
-        page = assembly_sheet(spec, manifest, picture, pins, plan, orders, opening)
+        page = assembly_sheet(spec, manifest, picture, pins, plan, orders, opening, jobs)
         path.write_text(page, encoding="utf-8")

@@ -1,7 +1,6 @@
 """Parts as PrusaSlicer slices them: its settings reach the layers, and no part of any example warns."""
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -13,11 +12,11 @@ from design.build.export import write_part
 from design.build.parts import parts_of
 from design.build.print_settings import PrintSettings
 from design.build.slicer_file import write_3mf
+from design.build.slicing import SLICER, has_slicer, print_job
 from design.spec_io import load_spec
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
-SLICER = shutil.which("prusa-slicer")
-needs_slicer = pytest.mark.skipif(SLICER is None, reason="prusa-slicer is not installed (Debian)")
+needs_slicer = pytest.mark.skipif(not has_slicer(), reason="prusa-slicer is not installed (Debian)")
 pytestmark = [pytest.mark.slow, needs_slicer]
 ITS_OWN = (
     "Detected missing Voronoi vertex, input polygons will be rotated back and forth.",
@@ -35,7 +34,7 @@ def sliced(path):
     """What the slicer says, without its progress, and the levels (mm) of the layers."""
     code = path.with_suffix(".gcode")
     bed = ("--bed-shape", "0x0,220x0,220x220,0x220", "--first-layer-height", "0.2")
-    command = [str(SLICER), "--export-gcode", "--loglevel", "2", *bed, "-o", str(code), str(path)]
+    command = [SLICER, "--export-gcode", "--loglevel", "2", *bed, "-o", str(code), str(path)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
     said = [
         line
@@ -123,6 +122,20 @@ def test_the_slicer_takes_layer_and_side_from_the_file(tmp_path):
     assert said == []
     assert float(levels[-1]) == pytest.approx(10.0, abs=0.05)
     assert len(levels) == pytest.approx(99, abs=2), "0.2 mm, then 98 of 0.1 mm"
+
+
+def test_a_slab_takes_the_filament_of_its_volume_and_a_large_part_is_refused(tmp_path):
+    """Solid layers hold 10 × 20 × 30 mm; twice as many take nearly twice as long."""
+    solid = PrintSettings(0.2, 2, 100, False, 0.0, (1.0, 0.0, 0.0))
+    printer, jobs = load_spec(EXAMPLES[0]).printer, []
+    for height in (10, 20, 300):
+        path = tmp_path / f"{height}.3mf"
+        slab = trimesh.creation.box((height, 20, 30 if height < 300 else 300))
+        write_3mf(slab, "slab", path, solid, (220.0, 220.0))
+        jobs.append(print_job(path, printer))
+    assert jobs[0].filament_g == pytest.approx(6.0 * printer.preset.density_g_per_cm3, rel=0.05)
+    assert 1.7 * jobs[0].minutes < jobs[1].minutes < 2.1 * jobs[0].minutes
+    assert jobs[2] is None
 
 
 def extruded(path):

@@ -1,6 +1,7 @@
 """Assembly sheet: figures by hand, every magnet's pole, every wire."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,8 @@ from design.build.amounts import printed_items, silicone_amount
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.masses import mass_text
 from design.build.order_list import order_list
+from design.build.print_settings import PrintSettings
+from design.build.slicing import PrintJob
 from design.catalogue.bus_parts import MEGA2560
 from design.layout.mould.pins import PinKind, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
@@ -77,6 +80,22 @@ def test_prints_are_counted_and_weighed_as_solid():
     assert (pins.count, pins.volume_cm3) == (25, 150.0)
     assert_allclose(pins.mass_g, 150 * 1.27, rtol=1e-6)
     assert "print shell" not in items
+
+
+def test_prints_have_time_and_filament_where_a_slicer_says_them(tmp_path):
+    settings = PrintSettings(0.2, 4, 100, True, 0.0, (0.0, 0.0, -1.0))
+    parts = [
+        replace(p, printing=settings) if p.name in ("core", "mould_pin") else p
+        for p in MANIFEST.parts
+    ]
+    manifest, picture = replace(MANIFEST, parts=tuple(parts)), tmp_path / "picture.png"
+    save_dot(picture)
+    pins = {"mould_pin": PrintJob(6.0, 0.5)}
+    page = assembly_sheet(parsed(), manifest, picture, jobs=pins)
+    assert "All pieces: 2 h 30 min and 12 g" in page, "25 pins"
+    assert "<td>6 min</td>" in page
+    assert "<td>–</td>" in page, "the core was refused"
+    assert "With PrusaSlicer installed" in assembly_sheet(parsed(), manifest, picture)
 
 
 def test_the_sheet_names_every_sensor_that_is_ordered(tmp_path):
