@@ -26,6 +26,7 @@ from design.body.meshes import (
     manifold_of,
     undercut,
 )
+from design.build.print_settings import layer_mm
 from design.fabrication.assembly import largest_common
 from design.fabrication.finding import Finding, place_of, status_above
 from design.layout.body import body_of
@@ -58,9 +59,6 @@ if TYPE_CHECKING:
 CEILING_MM2 = 100.0
 PEEL_SHARE = 0.33
 """Share of the elongation at break that peeling out of a mould may take: a third, an estimate."""
-_FILM_MM = 0.2
-"""Height of a printed layer, up to which caught air is a film: as under a core's nearly flat underside, which
-no vent can reach."""
 NEAR_MM = 0.15
 """Distance from the silicone's surface, within which a face touches it: triangles of both leave theirs by
 less."""
@@ -300,7 +298,9 @@ def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Find
     """Air rises to the open side or to vents; it must not be caught on its way."""
     holes, shell = tuple(mould_holes(spec)), meshes["shell"]
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
-    findings = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
+    # bubbles lower than the mould's layers are as those under a flat ceiling, which is a warning too
+    film_mm = layer_mm(spec.printer, copied=True)
+    findings = [check_traps(spec, shell, holes, "shell", film_mm), *check_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
     return findings if ceiling is None else [*findings, ceiling_finding(*ceiling)]
 
@@ -321,17 +321,27 @@ def ceiling_finding(area_mm2: float, place: np.ndarray) -> Finding:
 
 
 def check_traps(
-    spec: ObjectSpec, silicone: trimesh.Trimesh, holes: tuple[Hole, ...], part: str
+    spec: ObjectSpec,
+    silicone: trimesh.Trimesh,
+    holes: tuple[Hole, ...],
+    part: str,
+    film_mm: float = 0.0,
 ) -> Finding:
-    return traps_finding(air_traps(spec, silicone, holes), holes, part)
+    return traps_finding(air_traps(spec, silicone, holes), holes, part, film_mm)
 
 
-def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> Finding:
-    """Finding of high points that neither the open side nor a vent drains; shallow ones are warned of."""
+def traps_finding(
+    traps: Sequence[Trap], holes: tuple[Hole, ...], part: str, film_mm: float = 0.0
+) -> Finding:
+    """Finding of high points that neither the open side nor a vent drains; where bubbles are no higher than
+    `film_mm`, a warning."""
     vents = sum(hole.use == "vent" for hole in holes)
     deepest = max(traps, key=lambda trap: trap.depth_mm, default=None)
-    status = "pass" if deepest is None else "fail" if deepest.depth_mm > _FILM_MM else "warn"
-    high = "" if deepest is None else f", bubbles there up to {deepest.depth_mm:.2g} mm high"
+    status, advice = "pass", "Drill one there, or turn the mould"
+    if deepest is not None and deepest.depth_mm > film_mm:
+        status = "fail"
+    elif deepest is not None:
+        status, advice = "warn", f"Bubbles are {deepest.depth_mm:.2g} mm high: pour under vacuum"
     return Finding(
         "air traps",
         part,
@@ -339,8 +349,7 @@ def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> 
         0.0,
         "places",
         status,
-        f"high points that neither the open side nor one of {vents} vents drains{high}. Drill one there, "
-        f"or turn the mould. Up to {_FILM_MM:g} mm: pour under vacuum",
+        f"high points that neither the open side nor one of {vents} vents drains. {advice}",
         None if deepest is None else place_of(deepest.place_mm),
     )
 

@@ -152,9 +152,12 @@ def test_air_is_caught_in_traps():
     assert (traps.limit, traps.part) == (0.0, "shell")
     assert "2 vents" in traps.what
     assert traps_finding([], (vent,), "shell").status == "pass"
-    film = replace(trap, place_mm=np.zeros(3), depth_mm=0.15)
-    assert traps_finding([film], (vent,), "shell").status == "warn"
-    assert traps_finding([film, trap], (vent,), "shell").place_mm == (1.0, 2.0, 3.0)
+    film = replace(trap, place_mm=np.zeros(3), depth_mm=0.1)
+    assert traps_finding([film], (vent,), "shell").status == "fail"
+    assert traps_finding([film], (vent,), "shell", film_mm=0.12).status == "warn"
+    assert traps_finding([film], (vent,), "shell", film_mm=0.09).status == "fail"
+    both = traps_finding([film, trap], (vent,), "shell", film_mm=0.12)
+    assert (both.status, both.place_mm) == ("fail", (1.0, 2.0, 3.0))
 
 
 @pytest.mark.parametrize(
