@@ -32,7 +32,7 @@ class Finding:
 
     @classmethod
     def from_dict(cls, given: dict[str, Any]) -> Finding:
-        """Return the finding that `as_dict` gave, also from JSON, where its place is a list."""
+        """Return the finding that `dataclasses.asdict` gave, also from JSON, where its place is a list."""
         place = given["place_mm"]
         values: dict[str, Any] = given | {"place_mm": None if place is None else place_of(place)}
         return cls(**values)

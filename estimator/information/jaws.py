@@ -49,7 +49,7 @@ class JawBounds:
     force_bound_n : σF
     centre_bound_mm : √(σx² + σy²) of the centre of pressure
     tilt_bound_deg : √(σ² + σ²) of the tilts about x and y
-    size_bound_mm : √(σ² + σ²) of the edges' lengths along x and y; 0 where the jaw covers the face
+    size_bound_mm : √(σ² + σ²) of the edges' lengths along x and y; NaN where the jaw covers the face
     """
 
     face: int
@@ -144,7 +144,9 @@ def _bounds_of(spec: ObjectSpec, group: Sequence[_JawAtForce]) -> list[JawBounds
         columns[f"force_bound{suffix}_n"] = force
         columns[f"centre_bound{suffix}_mm"] = np.hypot(x, y)
         columns[f"tilt_bound{suffix}_deg"] = np.hypot(*turns)
-        columns[f"size_bound{suffix}_mm"] = np.hypot(length, width)
+        # edges of a jaw over a whole face lie beyond its border: they press nothing
+        size = np.where(group[0].covered < 1, np.hypot(length, width), np.nan)
+        columns[f"size_bound{suffix}_mm"] = size
     faces = [jaw.face for jaw in group]
     return [
         JawBounds(

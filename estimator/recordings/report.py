@@ -16,7 +16,7 @@ from estimator.recordings.table import channel_name
 
 @dataclass(frozen=True)
 class RecordingReport:
-    """Report of what was read, measured, found and fixed; `as_dict` for JSON, `str` for people.
+    """Report of what was read, measured, found and fixed; `dataclasses.asdict` for JSON, `str` for people.
 
     `largest_force_n` is of one load cell from its rest level; `places` lists the contact case of
     each place id, `noise_counts` the white noise at rest by channel name. `presses_zeroed_after` counts

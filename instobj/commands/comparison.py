@@ -77,7 +77,7 @@ def jaw_rows(run: Run) -> list[dict[str, Any]]:
             {
                 "face": jaw.face,
                 "against": jaw.against,
-                "covers %": 100 * jaw.covered,
+                "over": "face" if jaw.covered == 1 else "its middle half",
                 "σ force N": jaw.force_bound_n,
                 "of tips N": float(np.median(scores.force_bound_n[index, tips])),
                 "σ centre mm": jaw.centre_bound_mm,

@@ -26,7 +26,7 @@ def invert_on_data_set(
     Raises
     ------
     InputError
-        No specification, another object than the data set's, or too few places or cases pressed.
+        No specification, another object than the data set's, or too few places pressed one by one.
     """
     from estimator.frames.dataset import load_frames
     from estimator.frames.splits import split_presses

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isinf
+from math import isinf, isnan
 from typing import Any
 
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
@@ -78,7 +78,11 @@ def grasp_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
     """Rows of `GRASP_HEADER`: jaws over faces, their middles, opposed faces; none on curved bodies."""
     return [
         (
-            (f"half of face {jaw['face']}" if jaw["covered"] < 1 else f"face {jaw['face']}")
+            (
+                f"middle of face {jaw['face']}, half as long and wide"
+                if jaw["covered"] < 1
+                else f"face {jaw['face']}"
+            )
             + (f", another over {jaw['against']}" if jaw["against"] else ""),
             *(
                 _rounded(jaw[f"{name}_bound{state}_{unit}"])
@@ -96,7 +100,9 @@ def grasp_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
 
 
 def _rounded(value: float) -> str:
-    """Three figures, without an exponent; ∞ of what signals cannot tell."""
+    """Three figures, without an exponent; ∞ of what signals cannot tell, – of what there is none."""
+    if isnan(value):
+        return "–"
     if isinf(value):
         return "∞"
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"

@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGES = "(design|fem|estimator|instobj|studies)"
 PRIVATE = re.compile(
-    rf"""setattr\([\w.]+,\s*["']_[a-zA-Z]|["']{PACKAGES}(\.\w+)*\._[a-zA-Z]"""
+    rf"""(setattr|object)\(\s*[^,()]+,\s*["']_[a-zA-Z]|["']{PACKAGES}(\.\w+)*\._[a-zA-Z]"""
     rf"""|^\s*from {PACKAGES}[\w.]* import (\([^)]*|[^(\n]*)\b_[a-zA-Z]""",
     re.MULTILINE,
 )
@@ -37,6 +37,8 @@ def test_tests_replace_public_names_alone():
         "from design.body.meshes import _height_mm",
         "from design.body.meshes import (\n    undercut,\n    _height_mm,\n)",
         'monkeypatch.setattr(meshes, "_depth_mm", 1)',
+        'monkeypatch.setattr(\n    meshes, "_depth_mm", 1)',
+        'patch.object(meshes, "_depth_mm")',
         'monkeypatch.setattr("design.body.meshes._hooks", 1)',
     ],
 )

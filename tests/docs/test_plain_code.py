@@ -28,9 +28,7 @@ WORDS = re.compile(
 """Words of docstrings with a plainer one: reported, says, next to, again, computed."""
 
 MOST = {
-    "design/fabrication": (0, 1, 0, 0),  # as_dict, like dataclasses.asdict
     "estimator/networks": (1, 0, 0, 0),  # known, the name of a stored tensor
-    "estimator/recordings": (0, 1, 0, 0),  # as_dict
     "instobj/cli": (1, 0, 0, 0),  # at, an option's name
     "instobj/commands": (1, 0, 0, 0),  # at, the same
 }

@@ -162,7 +162,8 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
             f"a twin of face {face} is calibrated on presses straight down by one tip alone, at "
             f"{LEAST_PLACES} places or more with {LEAST_FRAMES} frames each; got {len(rows)} such "
             f"places: of {int(pressed.sum())} frames that press this face {elsewhere} press elsewhere too, "
-            f"{sideways} pull sideways{gaps}. Press more places one by one, or train without --twin"
+            f"{sideways} pull sideways{gaps}. Press more places one by one, or invert the design: "
+            "instobj train SPEC"
         )
     rows = rows[:: -(-len(rows) // MOST_PLACES)]
     count = min(LEVELS, min(len(row) for row in rows) // 3)

@@ -37,10 +37,10 @@ _PRESSES = 24
 _FRAMES_A_PRESS = 8
 """Frames of each."""
 _FLAT_FINGERS = (
-    "Flat fingers on curved faces are read as too weak or as two tips, and explained: for these train with "
-    'the finger itself, --set indenter.kind=cuboid --set "indenter.size_mm=[14,14]"'
+    "Flat fingers on curved faces may be read as too weak or as two tips, and explained: for these train "
+    'with the finger itself, --set indenter.kind=cuboid --set "indenter.size_mm=[WIDTH,LENGTH]"'
 )
-"""Measured by `benchmarks/jaw_readings.py`."""
+"""Measured of a rigid finger of 14 mm on three bodies by `benchmarks/jaw_readings.py`."""
 
 
 def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:

@@ -81,8 +81,8 @@ class TwinOfData:
 
         if self.spec.inversion.probes == "flat":
             raise InputError(
-                'inversion.probes = "flat" is not known to a digital twin. Train without --twin, or set it '
-                'to "free"'
+                'inversion.probes = "flat" is not known to a digital twin. Set it to "free", or invert the '
+                "design: instobj train SPEC"
             )
 
         calibrated_by_face = {

@@ -96,7 +96,7 @@ def test_bounds_are_those_of_the_information_of_tilted_presses(
         covariance = np.linalg.inv(np.array(slopes) @ np.linalg.solve(noise, np.array(slopes).T))
         read = np.array(readings).T @ covariance @ np.array(readings)
         variances = (read[0, 0], read[1, 1] + read[2, 2], covariance[[1, 2], [1, 2]].sum())
-        size = covariance.diagonal()[5:].sum()
+        size = covariance.diagonal()[5:].sum() if covered < 1 else np.nan
         names = ("force_bound{}_n", "centre_bound{}_mm", "tilt_bound{}_deg", "size_bound{}_mm")
         stated = [getattr(bounds, name.format(suffix)) for name in names]
         # the tilted jaw has other cells: that alone is 3 %, and where its edges end among them more

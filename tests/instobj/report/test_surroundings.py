@@ -39,9 +39,11 @@ def test_a_flat_jaw_has_its_bounds_alone_and_against_another():
     names = [f"{name}{state}_{unit}" for state in ("", "_drifted") for name, unit in bounds.items()]
     alone = {"face": 3, "against": None, "covered": 1.0} | dict(zip(names, figures, strict=True))
     part = alone | {"covered": 0.5}
+    alone |= {"size_bound_mm": float("nan"), "size_bound_drifted_mm": float("nan")}
     blind = alone | {"against": 5, "force_bound_n": float("inf")}
     rows = grasp_rows({"jaw_bounds": [alone, part, blind]})
-    assert rows[0] == ("face 3", "1.23", "3.4", "0.104", "7.4", "4.2", "11.6", "0.43", "12.5")
-    assert rows[1][0] == "half of face 3"
+    assert rows[0] == ("face 3", "1.23", "3.4", "0.104", "–", "4.2", "11.6", "0.43", "–")
+    middle = "middle of face 3, half as long and wide"
+    assert rows[1] == (middle, "1.23", "3.4", "0.104", "7.4", "4.2", "11.6", "0.43", "12.5")
     assert rows[2][:2] == ("face 3, another over 5", "∞")
     assert grasp_rows({"jaw_bounds": []}) == []
