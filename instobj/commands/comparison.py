@@ -65,7 +65,7 @@ def score_designs(
 
 
 def jaw_rows(run: Run) -> list[dict[str, Any]]:
-    """Bounds of jaws at `score.force_n` (each face, its middle half, opposed faces), and of tips."""
+    """Bounds of jaws at `score.force_n`: over each face, its middle (half as long and wide), opposed faces."""
     from estimator.information.jaws import jaw_bounds
     from fem.presses.jaws import jaw_faces
 
@@ -77,7 +77,7 @@ def jaw_rows(run: Run) -> list[dict[str, Any]]:
             {
                 "face": jaw.face,
                 "against": jaw.against,
-                "over": "face" if jaw.covered == 1 else "its middle half",
+                "over": "face" if jaw.covered == 1 else "middle",
                 "σ force N": jaw.force_bound_n,
                 "of tips N": float(np.median(scores.force_bound_n[index, tips])),
                 "σ centre mm": jaw.centre_bound_mm,
