@@ -65,7 +65,7 @@ def score_designs(
 
 
 def jaw_rows(run: Run) -> list[dict[str, Any]]:
-    """Bounds of jaws at `score.force_n`: over each face, its middle (half as long and wide), opposed faces."""
+    """Bounds of jaws at `score.force_n`: over each face, its middle (half as long), opposed faces."""
     from estimator.information.jaws import jaw_bounds
     from fem.presses.jaws import jaw_faces
 
