@@ -511,11 +511,13 @@ def _left_out_faces(request: Request, sensed: list[int]) -> str:
 
 
 def _with_larger_bed(tables: Tables, short_mm: float) -> tuple[Tables, str]:
-    """Return tables with the largest bed of the catalogue where parts fit it, and what to do in words."""
-    usual, large = PrinterSpec().bed_mm, max(p.bed_mm for p in PRINTERS.values())
+    """Return tables with the largest bed of the catalogue where parts may fit it, and what to do in words."""
+    usual, large = PrinterSpec().bed_mm, max((p.bed_mm for p in PRINTERS.values()), key=min)
     beds = [" × ".join(f"{edge:g}" for edge in bed) for bed in (usual, large)]
     text = f"parts are up to {short_mm:.3g} mm too large for a printer of {beds[0]} mm"
-    if short_mm > min(b - a for a, b in zip(sorted(usual), sorted(large), strict=True)):
+    # which edge of a part is too long is not known here: the check says whether the large bed takes it
+    if short_mm > max(b - a for a, b in zip(sorted(usual), sorted(large), strict=True)):
         return tables, f"{text}, and for one of {beds[1]} mm, which check --fabrication will say"
     changed = tables | {"printer": {"bed_mm": list(large)}}
-    return changed, f"{text}: printer.bed_mm = {list(large)} is taken, as print services have"
+    said = "as print services have; check --fabrication says whether that takes them"
+    return changed, f"{text}: printer.bed_mm = {list(large)} is taken, {said}"

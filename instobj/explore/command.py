@@ -13,7 +13,7 @@ from aiohttp import web
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.placement.asked import place_parts
+from design.placement.asked import most_printed_mm, place_parts
 from design.placement.objects import Request
 from design.spec_io import load_spec
 from instobj.commands.new import new_specification
@@ -41,7 +41,7 @@ def explore(
     """
     progress = ProgressLine()
     if request is not None and spec is None:
-        with progress.stage("parts placed by rules, checked for fabrication"):
+        with progress.stage("parts placed by rules"):
             spec = requested_specification(request, progress.say)
     elif request is not None or spec is None:
         raise InputError(
@@ -85,4 +85,8 @@ def requested_specification(request: Request, say: Callable[[str], None]) -> Pat
     if path.is_file():
         say(f"{path} is there from before: it is opened again")
         return path
+    if max(request.size_mm) > (longest := most_printed_mm()):
+        say(
+            f"moulds of bodies above {longest:g} mm are too long for the usual printer: printer.bed_mm"
+        )
     return new_specification(name, Path(), request, lambda wanted: (place_parts(wanted), []))

@@ -103,7 +103,7 @@ def test_faces_that_are_left_out_are_told(tmp_path):
 
 
 def test_parts_longer_than_the_printers_bed_take_a_larger_one(tmp_path):
-    """The largest bed of the catalogue takes 60 mm more along every edge."""
+    """The largest bed of the catalogue takes 60 mm more along one edge, 80 mm along two."""
     for name, short, given, said in (
         (
             "mine",
@@ -111,7 +111,8 @@ def test_parts_longer_than_the_printers_bed_take_a_larger_one(tmp_path):
             300.0,
             r"3 mm too large for a printer of 220 × 220 × 240 mm: printer\.bed_mm",
         ),
-        ("larger", 70.0, None, r"70 mm too large .* and for one of 300 × 300 × 300 mm"),
+        ("longer", 70.0, 300.0, r"70 mm too large .* check --fabrication says"),
+        ("larger", 90.0, None, r"90 mm too large .* and for one of 300 × 300 × 300 mm"),
     ):
         bed = Finding("fits the bed", "mould_half_a", -short, 0.0, "mm", "fail", "")
         request = Request("box", (200.0, 50.0, 50.0))
