@@ -7,7 +7,6 @@ usual, whose magnets lie as far from the core as under the others.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.castable import castable_body, traits_of_scan
-from design.body.imported import body_of_file, read_surface
+from design.body.imported import body_of_file, file_digest, read_surface
 from design.body.kinds.registry import KINDS
 from design.body.sampled import measured_distance_mm
 from design.errors import SpecError
@@ -196,16 +195,18 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # repairs were said at the body's own scale
-        hooked_mm = least_hooked_mm(alike)
-    return _SPARE * hooked_mm * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
+    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
 
 
-@lru_cache(maxsize=16)
 def least_hooked_mm(request: Request) -> float:
     """Return how deep halves hook the body at the best azimuth; the seam in y = 0, where castable bodies
     have it, is taken if it hooks next to nothing."""
+    return _least_hooked_mm(request, file_digest(str(dict(request.file)["file"])))
+
+
+@lru_cache(maxsize=16)
+def _least_hooked_mm(request: Request, digest: str | None) -> float:
+    """Return the same, kept while the file's content is."""
     tables = bare_tables(request, SHELL_VARIANTS[-1])
     across_y = undercut_depth_mm(spec_of(turned(tables, 90.0)))
     return across_y if across_y <= _NOTHING_MM else min(hooked_by_azimuth_mm(tables).values())
