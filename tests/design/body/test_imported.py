@@ -223,7 +223,9 @@ def _with_plate(surface: trimesh.Trimesh) -> trimesh.Trimesh:
 def _with_many_crumbs(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     """Of 0.1 % of the body each, twelve of them."""
     crumb = trimesh.creation.box((4, 4, 4))
-    return trimesh.util.concatenate([surface, *(_moved(crumb, 90 + 10 * i) for i in range(12))])
+    for i in range(12):
+        surface = surface + _moved(crumb, 90 + 10 * i)
+    return surface
 
 
 def _written(folder: Path, change, **options) -> Path:
