@@ -291,8 +291,8 @@ def united_surface(
     united = len(solid) - len(crumbs)
     encloses = "encloses" if flat == 1 else "enclose"
     done = [f"left out {_counted(flat, 'flat piece')}, which {encloses} nothing"] if flat else []
-    done += [f"left out {_in_words(crumbs, 'crumb', mm)}"] if crumbs else []
-    done += [f"filled {_in_words(voids, 'void', mm)}"] if voids else []
+    done += [f"left out {_pieces_text(crumbs, 'crumb', mm)}"] if crumbs else []
+    done += [f"filled {_pieces_text(voids, 'void', mm)}"] if voids else []
     done += [f"united {united} pieces that overlap"] if united > 1 else []
     return counted[0], done
 
@@ -301,7 +301,7 @@ def _counted(count: int, name: str) -> str:
     return f"{count} {name}{'s' if count != 1 else ''}"
 
 
-def _in_words(pieces: list[trimesh.Trimesh], name: str, mm: float) -> str:
+def _pieces_text(pieces: list[trimesh.Trimesh], name: str, mm: float) -> str:
     """Return the number of pieces and the longest edge of their boxes."""
     longest = max(float(max(piece.extents)) for piece in pieces)
     return f"{_counted(len(pieces), name)} of up to {mm * longest:.2g} mm"
@@ -403,7 +403,7 @@ def _redrawn(
     out_mm = measured_distance_mm(drawn, _some_corners(surface)).max()
     off_mm = max(float(out_mm), float(distance_mm(surface, _some_corners(drawn)).max()))
     change = f"it lies up to {mm * off_mm:.2g} mm off the file"
-    change += f", without {_in_words(crumbs, 'piece', mm)}" if crumbs else ""
+    change += f", without {_pieces_text(crumbs, 'piece', mm)}" if crumbs else ""
     drawn.apply_translation(-drawn.bounds.mean(axis=0))
     return drawn, step, change
 
