@@ -17,6 +17,8 @@ import numpy as np
 
 from design.body.castable import castable_body, traits_of_scan
 from design.body.imported import body_of_file, file_digest, read_surface
+from design.body.kinds.capsule import Capsule
+from design.body.kinds.ellipsoid import Ellipsoid
 from design.body.kinds.registry import KINDS
 from design.body.sampled import measured_distance_mm
 from design.errors import SpecError
@@ -110,7 +112,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
             f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
             f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
             "Moulds of more than two halves are not made. Fill the hollows in the program that made the "
-            f"file; or {simple_body_text(request, 'ellipsoid', (x, y, z)) or 'choose another shape'}"
+            f"file; or {simple_body_text(request, Ellipsoid.name, (x, y, z)) or 'choose another shape'}"
         )
     deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
     if deep_mm < _LEAST_DEEP * min(x, y, z):
@@ -118,7 +120,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         raise SpecError(
             f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
             "thin bodies: there the core is held, and its wires leave. Straighten it; or "
-            f"{simple_body_text(request, 'capsule', (min(x, y), min(x, y), z)) or 'choose another shape'}"
+            f"{simple_body_text(request, Capsule.name, (min(x, y), min(x, y), z)) or 'choose another shape'}"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
