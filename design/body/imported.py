@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import warnings
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,9 @@ from design.files import require_regular_file
 if TYPE_CHECKING:
     import trimesh
 
+_MENDED_MM = 100.0
+"""Length to which a file's surface is brought, by a power of ten, before it is mended: what is done to it is
+then the same at every scale. Millimetres of the constants below are those of that surface."""
 _PIERCED_MM = 0.1
 """Depth to which one triangle may stand through another: less is lost in the body's own triangles."""
 _WELD_MM = 1e-3
@@ -30,10 +34,15 @@ _FEWEST_CORNERS, _RAGGED = 1000, 0.05
 share of its shortest edge."""
 _GRID_POINTS, _REDRAWN_MM = 250_000, 0.05
 """Points of the grid on which it is drawn, as castable bodies, and tolerance of its triangles."""
+_MOST_SHRUNK = 3.0
+"""Steps of that grid by which a side of the box may move: edges lose one, a lost limb more."""
+_COMPARED = 5000
+"""Corners of a surface, at most, at which its distance to another is measured."""
 _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
-_CRUMB = 0.01
-"""Share of the largest piece's volume, below which a piece apart from it, or a void in it, is no body."""
+_CRUMB, _CRUMB_LONG = 0.01, 0.1
+"""Share of the largest piece's volume, below which all pieces apart from it, or voids in it, are no body, and
+share of its longest edge, up to which each is none: a thin plate has little volume, but is a part."""
 
 
 def body_of_file(path: Path, scale: float = 1.0) -> dict[str, Any]:
@@ -64,53 +73,66 @@ def read_surface(file: str | None, scale: float = 1.0) -> trimesh.Trimesh:
 
 
 def file_digest(file: str | None) -> str | None:
-    """SHA-256 (hex) of the file that a body comes from, if any."""
-    return None if file is None else _digest(Path(file))
+    """SHA-256 (hex) of the file that a body comes from; None where there is none."""
+    return _digest(Path(file)) if file is not None and Path(file).is_file() else None
 
 
 def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+@dataclass(frozen=True)
+class _Source:
+    """A file's content; its surface is one for all scales, and words of it are in the first one's mm."""
+
+    path: Path
+    digest: str
+    scale: float = field(compare=False)
+
+
 def _surface_in(path: Path, scale: float) -> trimesh.Trimesh:
     require_regular_file(path, _missing(path))
-    return _closed_surface(path.resolve(), _digest(path), scale)
-
-
-@lru_cache(maxsize=4)
-def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
-    """The file's surface, kept while its content is the same."""
-    surface = _read_unchanged(path, digest).copy()
+    surface = _closed_surface(_Source(path.resolve(), _digest(path), scale)).copy()
     surface.apply_scale(scale)
-    surface = _repaired(surface, path)
-    surface.apply_translation(-surface.bounds.mean(axis=0))
-    crossing = _deepest_crossing(surface)
-    if crossing is None:
-        return surface
-    deep_mm, place = crossing
-    if len(surface.vertices) < _FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
-        raise InputError(
-            f"the surface in {path} crosses itself, {deep_mm:.2g} mm deep at "
-            f"({', '.join(f'{x:.3g}' for x in place)}) mm from its middle. Unite its pieces in the program "
-            "that made it"
-        )
-    surface, step_mm = _redrawn(surface)
-    warnings.warn(
-        f"{path}: drawn again on a grid of {step_mm:.2g} mm, as it crosses itself {deep_mm:.2g} mm deep",
-        stacklevel=2,
-    )
     return surface
 
 
 @lru_cache(maxsize=4)
-def _read_unchanged(path: Path, digest: str) -> trimesh.Trimesh:
-    """The file's triangles as they stand there, for all scales."""
+def _closed_surface(source: _Source) -> trimesh.Trimesh:
+    """The file's surface in the file's own unit, mended at one size for all scales."""
+    surface, path = _read_unchanged(source.path), source.path
+    longest = float(np.ptp(surface.vertices, axis=0).max())
+    size = 10.0 ** np.round(np.log10(_MENDED_MM / longest)) if longest > 0 else 1.0
+    mm = source.scale / size  # of the body, for each of the surface that is mended
+    surface.apply_scale(size)
+    surface = _repaired(surface, path, mm)
+    surface.apply_translation(-surface.bounds.mean(axis=0))
+    crossing = _deepest_crossing(surface)
+    if crossing is not None:
+        deep_mm, place = crossing
+        crosses = f"crosses itself {mm * deep_mm:.2g} mm deep"
+        if len(surface.vertices) < _FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
+            raise InputError(
+                f"the surface in {path} {crosses} at ({', '.join(f'{mm * x:.3g}' for x in place)}) mm "
+                "from its middle. Unite its pieces in the program that made it"
+            )
+        surface, step_mm, change = _redrawn(surface, f"the surface in {path} {crosses}", mm)
+        warnings.warn(
+            f"{path}: drawn again on a grid of {mm * step_mm:.2g} mm, as it {crosses}; {change}",
+            stacklevel=2,
+        )
+    surface.apply_scale(1 / size)
+    return surface
+
+
+def _read_unchanged(path: Path) -> trimesh.Trimesh:
+    """The file's triangles as they stand there."""
     import trimesh
 
     surface = read_foreign_surface(path, _missing(path))
     if not np.isfinite(surface.vertices_mm).all():
         raise InputError(
-            f"the surface in {path} is open: it has corners that are no numbers. Export it anew"
+            f"the surface in {path} is open: it has corners that are no numbers. Export it again"
         )
     return trimesh.Trimesh(surface.vertices_mm, surface.triangles)
 
@@ -119,35 +141,34 @@ def _missing(path: Path) -> str:
     return f"no body at {path}. Name an STL or STEP file by --from, or in body.file"
 
 
-def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """Merge, weld, fill holes, turn outwards and unite overlapping pieces; warn of what was done."""
+def _repaired(surface: trimesh.Trimesh, path: Path, mm: float) -> trimesh.Trimesh:
+    """Merge, weld, fill holes, turn outwards and unite overlapping pieces; warn of what was done.
+
+    A unit of the surface is `mm` long in the warnings, here and below.
+    """
     import trimesh
+
+    from design.body.meshes import signed_mm3
 
     surface.merge_vertices()
     surface.update_faces(_has_three_corners(surface))
     done = []
     if not surface.is_watertight:
         surface.update_faces(surface.unique_faces())
-        done += _weld(surface)
+        done += _weld(surface, mm)
     if not surface.is_watertight:
         unfilled = surface.copy()
-        done += _fill_holes(surface)
+        done += _fill_holes(surface, mm)
         # each triangle of a soup gets one more on its back, and both enclose nothing
-        if not surface.is_watertight or not _solid_pieces(surface):
-            _require_closed(unfilled, path)
+        if not surface.is_watertight or abs(signed_mm3(surface)) <= _nothing_mm3(surface):
+            _require_closed(unfilled, path, mm)
     if not surface.is_winding_consistent or surface.volume < 0:
         trimesh.repair.fix_normals(surface)
         done.append("turned triangles outwards")
     surface = _without_flat_triangles(surface)
     if surface.body_count > 1:
-        count = len(_solid_pieces(surface))
-        flat = surface.body_count - count
-        done += [f"left out {flat} flat pieces, which enclose nothing"] if flat else []
-        surface, crumbs = united_surface(surface, path)
-        largest_mm = max((float(max(crumb.extents)) for crumb in crumbs), default=0.0)
-        done += [f"left out {len(crumbs)} crumbs of up to {largest_mm:.2g} mm"] if crumbs else []
-        united = count - len(crumbs)
-        done += [f"united {united} pieces that overlap"] if united > 1 else []
+        surface, changes = united_surface(surface, path, mm)
+        done += changes
     if done:
         warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
     return surface
@@ -159,7 +180,7 @@ def _has_three_corners(surface: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     return np.logical_and(steps[:, 0] > 0, steps[:, 1] > 0)
 
 
-def _weld(surface: trimesh.Trimesh) -> list[str]:
+def _weld(surface: trimesh.Trimesh, mm: float) -> list[str]:
     """Join corners within `_WELD_MM` of each other, in place; return in words how many were moved."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -178,10 +199,10 @@ def _weld(surface: trimesh.Trimesh) -> list[str]:
     surface.merge_vertices()
     surface.update_faces(_has_three_corners(surface))
     surface.update_faces(surface.unique_faces())
-    return [f"welded {len(corners) - len(first)} corners within {_WELD_MM:g} mm of others"]
+    return [f"welded {len(corners) - len(first)} corners within {mm * _WELD_MM:.2g} mm of others"]
 
 
-def _fill_holes(surface: trimesh.Trimesh) -> list[str]:
+def _fill_holes(surface: trimesh.Trimesh, mm: float) -> list[str]:
     """Close holes up to `_WIDEST_HOLE` wide, in place; return in words by how many triangles, how wide."""
     import pyvista
     import trimesh
@@ -203,9 +224,8 @@ def _fill_holes(surface: trimesh.Trimesh) -> list[str]:
         surface.triangles[faces_open:], axis=1, append=surface.triangles[faces_open:, :1]
     )
     widest_mm = np.linalg.norm(sides, axis=2).max()
-    return [
-        f"closed small holes with {len(faces) - faces_open} triangles, up to {widest_mm:.2g} mm wide"
-    ]
+    count = len(faces) - faces_open
+    return [f"closed small holes with {count} triangles, up to {mm * widest_mm:.2g} mm wide"]
 
 
 def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
@@ -222,7 +242,7 @@ def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return closed if len(closed.faces) else surface
 
 
-def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
+def _require_closed(surface: trimesh.Trimesh, path: Path, mm: float) -> None:
     if surface.is_watertight:
         return
     _, count = np.unique(surface.edges_sorted, axis=0, return_counts=True)
@@ -231,8 +251,8 @@ def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
     if single:
         raise InputError(
             f"the surface in {path} is open: {single} edges have a triangle on one side only, "
-            f"{meet.replace(' have', '')}; corners within {_WELD_MM:g} mm count as one. Close it in the "
-            "program that made it"
+            f"{meet.replace(' have', '')}; corners within {mm * _WELD_MM:.2g} mm count as one. Close it in "
+            "the program that made it"
         )
     raise InputError(
         f"the surface in {path} is closed, but meets itself: {meet}, as where two bodies touch along an "
@@ -242,10 +262,10 @@ def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
 
 
 def united_surface(
-    surface: trimesh.Trimesh, path: Path
-) -> tuple[trimesh.Trimesh, list[trimesh.Trimesh]]:
-    """Return the union of pieces that overlap, and crumbs that are left out: pieces of no size apart from
-    it, and voids of none in it. Flat pieces, which enclose nothing, are left out as well.
+    surface: trimesh.Trimesh, path: Path, mm: float = 1.0
+) -> tuple[trimesh.Trimesh, list[str]]:
+    """Return the union of pieces that overlap, without crumbs and flat pieces, small voids filled, and in
+    words what was done.
 
     Raises
     ------
@@ -254,17 +274,37 @@ def united_surface(
     """
     from design.body.meshes import boolean_of, signed_mm3
 
-    larger, small = _parted_by_size(_solid_pieces(surface))
+    pieces = _solid_pieces(surface)
+    flat = surface.body_count - len(pieces)
+    larger, small = _parted_by_size(pieces)
     voids = [piece for piece in small if signed_mm3(piece) < 0]
     solid = larger + [piece for piece in small if signed_mm3(piece) > 0]
     whole = all(signed_mm3(piece) > 0 for piece in solid)
-    pieces = _solid_pieces(boolean_of("union", solid)) if solid and whole else solid
-    whole_pieces, crumbs = _parted_by_size(pieces)
-    if len(whole_pieces) != 1:
+    parts = _solid_pieces(boolean_of("union", solid)) if solid and whole else solid
+    counted, small = _parted_by_size(parts)
+    if len(counted) != 1:
         raise InputError(
-            f"{path} holds {len(pieces)} separate surfaces. Export one closed body without holes inside"
+            f"{path} holds {len(counted)} separate surfaces. Export one closed body without holes inside"
         )
-    return whole_pieces[0], voids + crumbs
+    crumbs = [piece for piece in small if signed_mm3(piece) > 0]
+    voids += [piece for piece in small if signed_mm3(piece) < 0]
+    united = len(solid) - len(crumbs)
+    encloses = "encloses" if flat == 1 else "enclose"
+    done = [f"left out {_counted(flat, 'flat piece')}, which {encloses} nothing"] if flat else []
+    done += [f"left out {_pieces_text(crumbs, 'crumb', mm)}"] if crumbs else []
+    done += [f"filled {_pieces_text(voids, 'void', mm)}"] if voids else []
+    done += [f"united {united} pieces that overlap"] if united > 1 else []
+    return counted[0], done
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count} {name}{'s' if count != 1 else ''}"
+
+
+def _pieces_text(pieces: list[trimesh.Trimesh], name: str, mm: float) -> str:
+    """Return the number of pieces and the longest edge of their boxes."""
+    longest = max(float(max(piece.extents)) for piece in pieces)
+    return f"{_counted(len(pieces), name)} of up to {mm * longest:.2g} mm"
 
 
 def _parted_by_size(
@@ -273,19 +313,29 @@ def _parted_by_size(
     """Return pieces that count, and crumbs."""
     from design.body.meshes import signed_mm3
 
-    volumes = [abs(signed_mm3(piece)) for piece in pieces]
-    least = _CRUMB * max(volumes, default=0.0)
-    counted = [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 >= least]
-    return counted, [piece for piece, mm3 in zip(pieces, volumes, strict=True) if mm3 < least]
+    if not pieces:
+        return [], []
+    volumes = np.array([abs(signed_mm3(piece)) for piece in pieces])
+    lengths = np.array([max(piece.extents) for piece in pieces])
+    largest, rising = volumes.argmax(), volumes.argsort()
+    crumb = lengths <= _CRUMB_LONG * lengths[largest]
+    # the smallest first, as long as their sum is small
+    crumb[rising] &= volumes[rising].cumsum() < _CRUMB * volumes[largest]
+    counted = [piece for piece, small in zip(pieces, crumb, strict=True) if not small]
+    return counted, [piece for piece, small in zip(pieces, crumb, strict=True) if small]
 
 
 def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
     """Separate pieces that enclose something, voids too."""
     from design.body.meshes import signed_mm3
 
-    nothing = _NOTHING * float(np.prod(surface.extents))
+    nothing = _nothing_mm3(surface)
     pieces = surface.split(only_watertight=False)
     return [piece for piece in pieces if abs(signed_mm3(piece)) > nothing]
+
+
+def _nothing_mm3(surface: trimesh.Trimesh) -> float:
+    return _NOTHING * float(np.prod(surface.extents))
 
 
 def _deepest_crossing(
@@ -308,16 +358,28 @@ def _deepest_crossing(
     return None if deepest_at is None else (deepest, deepest_at)
 
 
-def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
-    """Return a surface drawn again where the signed distance to it is 0, its largest piece, and the grid's
-    step (mm).
+def _redrawn(
+    surface: trimesh.Trimesh, crosses: str, mm: float
+) -> tuple[trimesh.Trimesh, float, str]:
+    """Return a surface drawn again where the signed distance to it is 0, the grid's step, and in words how
+    far off it lies.
 
     What is inside is counted along lines: next to a fold, the nearest triangle does not show it.
+
+    Raises
+    ------
+    InputError
+        The grid is too coarse: nothing is left, several pieces are, or a limb is lost; `crosses` begins it.
     """
     import pyvista
 
-    from design.body.meshes import signed_mm3, simplified
-    from design.body.sampled import contour_of, grid_points, measured_where_near
+    from design.body.meshes import distance_mm, simplified
+    from design.body.sampled import (
+        contour_of,
+        grid_points,
+        measured_distance_mm,
+        measured_where_near,
+    )
 
     step = (float(np.prod(surface.extents)) / _GRID_POINTS) ** (1 / 3)
     points, count = grid_points(surface.extents / 2, step)
@@ -327,7 +389,24 @@ def _redrawn(surface: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
     inside = np.asarray(mask, bool).reshape(count, order="F")
     distance = abs(measured_where_near(surface, points, count, step, mirrored=False))
     distance = np.where(inside, -distance, distance)
-    drawn = max(contour_of(distance, points[0], step).split(only_watertight=True), key=signed_mm3)
-    drawn = simplified(drawn, _REDRAWN_MM)
+    contour = contour_of(distance, points[0], step)
+    pieces, crumbs = _parted_by_size(_solid_pieces(contour) if len(contour.faces) else [])
+    lost = f"{crosses}, and drawn again on a grid of {mm * step:.2g} mm"
+    fix = "Unite its pieces in the program that made it, or make its thin parts thicker"
+    if len(pieces) != 1 or not pieces[0].is_watertight:
+        raise InputError(f"{lost} it is {_counted(len(pieces), 'piece')}, not one closed. {fix}")
+    drawn = simplified(pieces[0], _REDRAWN_MM)
+    shrunk = float(abs(drawn.bounds - surface.bounds).max())
+    if shrunk > _MOST_SHRUNK * step:
+        raise InputError(f"{lost} its box loses {mm * shrunk:.2g} mm on a side. {fix}")
+    # folds lie inside and are meant to go; what stands out is lost
+    out_mm = measured_distance_mm(drawn, _some_corners(surface)).max()
+    off_mm = max(float(out_mm), float(distance_mm(surface, _some_corners(drawn)).max()))
+    change = f"it lies up to {mm * off_mm:.2g} mm off the file"
+    change += f", without {_pieces_text(crumbs, 'piece', mm)}" if crumbs else ""
     drawn.apply_translation(-drawn.bounds.mean(axis=0))
-    return drawn, step
+    return drawn, step, change
+
+
+def _some_corners(surface: trimesh.Trimesh) -> Float[np.ndarray, "corner 3"]:
+    return np.asarray(surface.vertices)[:: -(-len(surface.vertices) // _COMPARED)]

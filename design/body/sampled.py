@@ -8,7 +8,6 @@ interpolated by cubic splines; the core is found by marching cubes on a finer on
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from math import factorial
@@ -173,9 +172,7 @@ def distance_field(body: BodyKind) -> DistanceField:
     alike = replace(
         body, scale=scale, size_mm=tuple(round(edge / size, 6) for edge in body.size_mm)
     )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # repairs were said at the body's own scale
-        field = _distance_field(alike)
+    field = _distance_field(alike)
     return DistanceField(size * field.origin_mm, size * field.step_mm, size * field.coefficients)
 
 

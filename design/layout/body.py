@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from design.body.imported import file_digest
 from design.body.kinds.registry import KINDS
 from design.spec.cached_geometry import cached_geometry
 
@@ -31,6 +32,7 @@ def body_of(spec: ObjectSpec) -> BodyKind:
         inside=body.inside,
         file=body.file,
         scale=body.scale,
+        digest=file_digest(body.file),
     )
 
 

@@ -7,7 +7,6 @@ usual, whose magnets lie as far from the core as under the others.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
@@ -17,7 +16,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.castable import castable_body, traits_of_scan
-from design.body.imported import body_of_file, read_surface
+from design.body.imported import body_of_file, file_digest, read_surface
+from design.body.kinds.capsule import Capsule
+from design.body.kinds.ellipsoid import Ellipsoid
 from design.body.kinds.registry import KINDS
 from design.body.sampled import measured_distance_mm
 from design.errors import SpecError
@@ -111,7 +112,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
             f"{why}. Made even about a plane, its hollows filled, it would be another body: {filled:.0%} "
             f"of it over {most_mm:.2g} mm off the scan, which stands out of it by up to {out_mm:.2g} mm. "
             "Moulds of more than two halves are not made. Fill the hollows in the program that made the "
-            f"file; or {simple_body_text(request, 'ellipsoid', (x, y, z)) or 'choose another shape'}"
+            f"file; or {simple_body_text(request, Ellipsoid.name, (x, y, z)) or 'choose another shape'}"
         )
     deep_mm = -float(measured_distance_mm(castable.surface, np.zeros((1, 3)))[0])
     if deep_mm < _LEAST_DEEP * min(x, y, z):
@@ -119,7 +120,7 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
         raise SpecError(
             f"the middle of this body's box lies {abs(deep_mm):.2g} mm {side} its surface, as of bent and "
             "thin bodies: there the core is held, and its wires leave. Straighten it; or "
-            f"{simple_body_text(request, 'capsule', (min(x, y), min(x, y), z)) or 'choose another shape'}"
+            f"{simple_body_text(request, Capsule.name, (min(x, y), min(x, y), z)) or 'choose another shape'}"
         )
     text = (
         f"{why}: {target} is designed instead, a smooth body {x:.4g} × {y:.4g} × {z:.4g} mm without hollows, "
@@ -196,16 +197,18 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # repairs were said at the body's own scale
-        hooked_mm = least_hooked_mm(alike)
-    return _SPARE * hooked_mm * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
+    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
 
 
-@lru_cache(maxsize=16)
 def least_hooked_mm(request: Request) -> float:
     """Return how deep halves hook the body at the best azimuth; the seam in y = 0, where castable bodies
     have it, is taken if it hooks next to nothing."""
+    return _least_hooked_mm(request, file_digest(str(dict(request.file)["file"])))
+
+
+@lru_cache(maxsize=16)
+def _least_hooked_mm(request: Request, digest: str | None) -> float:
+    """Return the same, kept while the file's content is."""
     tables = bare_tables(request, SHELL_VARIANTS[-1])
     across_y = undercut_depth_mm(spec_of(turned(tables, 90.0)))
     return across_y if across_y <= _NOTHING_MM else min(hooked_by_azimuth_mm(tables).values())

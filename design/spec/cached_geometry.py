@@ -29,9 +29,10 @@ _PLAIN = frozenset((float, np.float64, int, bool, str, type(None)))
 
 @dataclass(frozen=True)
 class SpecAlike:
-    """A specification that equals others by a key: the parts that a result depends on, and what it is of.
+    """A specification and the key by which it equals others: the parts on which a result depends, with the
+    digest of a body's file, and what the result is of.
 
-    Arguments of functions with `lru_cache`, for costly results that many specifications share.
+    Functions with `lru_cache` take it, for costly results that many specifications share.
     """
 
     spec: ObjectSpec = field(compare=False)

@@ -35,7 +35,8 @@ class BodyKind(ABC):
 
     Of the `opened` faces the core's cavity runs out, through the whole side or through a bore of
     `bore_mm`. Triangles of curved surfaces keep within `envelope_mm`. `inside` says what holds the
-    silicone, and `file` where an imported surface comes from.
+    silicone, and `file` where an imported surface comes from; `digest`, of its content, keeps apart what is
+    kept of a file and of another of its name.
     """
 
     size_mm: tuple[float, float, float]
@@ -46,6 +47,7 @@ class BodyKind(ABC):
     inside: Inside = "core"
     file: str | None = None
     scale: float = 1.0
+    digest: str | None = None
 
     name: ClassVar[str]
     """Name of the kind, in `body.kind`."""

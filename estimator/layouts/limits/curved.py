@@ -201,9 +201,10 @@ class _Cover:
 @cached_geometry
 def covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
     """Return the covers of every curved face, for a magnet of each of the specification's sizes."""
+    digest = body_of(spec).digest
     return {
         frame.number: tuple(
-            _cover(SpecAlike(spec, (index, size, spec.body, spec.shell)))
+            _cover(SpecAlike(spec, (index, size, spec.body, spec.shell, digest)))
             for size in spec.magnets.distinct_sizes
         )
         for index, frame in enumerate(face_frames(spec))

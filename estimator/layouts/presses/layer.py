@@ -14,7 +14,7 @@ import torch
 from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
-from design.layout.body import face_frames
+from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.layout.pockets import shell_bodies
@@ -67,7 +67,7 @@ def layer_basis(spec: ObjectSpec, face: int) -> PressBasis:
         *(spec.indenter, spec.contact_grid, spec.press, spec.score),
     )
     outline = shell_bodies(spec)[0][0].outline
-    basis, lattices = _layer_basis(SpecAlike(spec, (face, *parts, outline)))
+    basis, lattices = _layer_basis(SpecAlike(spec, (face, *parts, outline, body_of(spec).digest)))
     if not faces_differ(spec):
         return basis
     return replace(basis, patches=patches_of(spec, lattices, torch.float32))

@@ -207,6 +207,27 @@ def _with_crumbs(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return surface + crumb.copy().apply_translation((90.0, 0, 0)) + _moved(crumb, 99.0) + void
 
 
+def _with_lid_over_a_dent(_: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A box with a dent 4 mm deep, and a lid that reaches 1 mm into it: a void 3 mm high is left."""
+    box, dent = trimesh.creation.box((52, 46, 48)), trimesh.creation.box((2, 2, 4))
+    dent.apply_translation((0, 0, 22))
+    lid = trimesh.creation.box((30, 30, 3)).apply_translation((0, 0, 24.5))
+    return box.difference(dent) + lid
+
+
+def _with_plate(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A plate apart from the body and as long, with 0.2 % of its volume."""
+    return surface + trimesh.creation.box((50, 30, 0.1)).apply_translation((7, -4, 40))
+
+
+def _with_many_crumbs(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Of 0.1 % of the body each, twelve of them."""
+    crumb = trimesh.creation.box((4, 4, 4))
+    for i in range(12):
+        surface = surface + _moved(crumb, 90 + 10 * i)
+    return surface
+
+
 def _written(folder: Path, change, **options) -> Path:
     change(_pebble(3)).export(folder / "body.stl", **options)
     return folder / "body.stl"
@@ -219,8 +240,19 @@ def _written(folder: Path, change, **options) -> Path:
         pytest.param(_inverted, "turned triangles outwards", id="inside out"),
         pytest.param(_some_inverted, "turned triangles outwards", id="some triangles inverted"),
         pytest.param(_jittered, r"welded \d+ corners within 0\.001 mm", id="corners apart"),
-        pytest.param(_with_stray, "left out 1 flat pieces", id="a stray triangle"),
-        pytest.param(_with_crumbs, r"left out 3 crumbs of up to 2 mm", id="crumbs of a scan"),
+        pytest.param(
+            _with_stray, "left out 1 flat piece, which encloses nothing", id="a stray triangle"
+        ),
+        pytest.param(
+            _with_crumbs,
+            "left out 2 crumbs of up to 2 mm and filled 1 void of up to 2 mm$",
+            id="crumbs of a scan",
+        ),
+        pytest.param(
+            lambda one: one + trimesh.creation.box((1, 1, 1)).apply_translation((90, 0, 0)),
+            "left out 1 crumb of up to 1 mm$",
+            id="one crumb",
+        ),
     ],
 )
 def test_what_can_be_repaired_is_with_a_warning(tmp_path, change, told):
@@ -249,10 +281,7 @@ def test_a_scan_that_crosses_itself_a_little_is_drawn_again(tmp_path):
     """Some corners of a pebble are pushed past their neighbours, as where triangles were left out."""
     scan = _pebble(4)
     volume = scan.volume
-    for corner in range(0, 2000, 250):
-        near = scan.vertices[scan.vertex_neighbors[corner]]
-        scan.vertices[corner] += 3 * (near[0] - near.mean(axis=0)) - scan.vertex_normals[corner] / 2
-    scan.export(tmp_path / "scan.stl")
+    _crossed(scan, 3).export(tmp_path / "scan.stl")
     with pytest.warns(
         UserWarning, match=r"drawn again on a grid of 0\.\d+ mm, as it crosses itself"
     ):
@@ -260,6 +289,69 @@ def test_a_scan_that_crosses_itself_a_little_is_drawn_again(tmp_path):
     assert drawn.is_watertight
     assert drawn.volume == pytest.approx(volume, rel=0.01)
     assert_allclose(drawn.extents, SIZE, atol=0.3)
+
+
+def _crossed(surface: trimesh.Trimesh, share: float) -> trimesh.Trimesh:
+    """Some corners are pushed past their neighbours, by that many of their distances."""
+    for corner in range(0, 2000, 250):
+        near = surface.vertices[surface.vertex_neighbors[corner]]
+        step = share * (near[0] - near.mean(axis=0)) - surface.vertex_normals[corner] / 2
+        surface.vertices[corner] += step
+    return surface
+
+
+@pytest.mark.parametrize("radius_mm", [0.25, 6.0])
+def test_two_balls_on_a_bar_are_kept_whole_or_refused(tmp_path, radius_mm):
+    """Of a bar thinner than the grid's step, 1.2 mm, nothing would be left."""
+    bar = trimesh.creation.cylinder(radius_mm, 120, sections=32)
+    bar.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [0, 1, 0]))
+    ball = trimesh.creation.icosphere(4, 25.0)
+    bar.apply_translation((0.0, 0.6, 0.6))  # between the grid's points
+    balls = trimesh.boolean.union([_moved(ball, -60.0), bar, _moved(ball, 60.0)])
+    path, volume = tmp_path / "balls.stl", balls.volume
+    _crossed(balls, 3).export(path)
+    if radius_mm < 1:
+        with pytest.raises(InputError, match=r"crosses itself .* it is 2 pieces, not one closed"):
+            body_of_file(path)
+        return
+    with pytest.warns(UserWarning, match=r"drawn again .*; it lies up to 0\.\d+ mm off the file$"):
+        drawn = read_surface(str(path))
+    assert drawn.volume == pytest.approx(volume, rel=0.01)
+
+
+def test_a_lost_limb_is_refused(tmp_path):
+    """A needle of Ø 0.5 mm that stands out by 15 mm."""
+    needle = trimesh.creation.cylinder(0.25, 30).apply_translation((0.4, 0.4, 25))
+    body = trimesh.boolean.union([trimesh.creation.icosphere(4, 25.0), needle])
+    _crossed(body, 3).export(tmp_path / "body.stl")
+    with pytest.raises(InputError, match=r"crosses itself .* its box loses [\d.]+ mm on a side"):
+        body_of_file(tmp_path / "body.stl")
+
+
+def test_a_file_is_mended_alike_at_all_scales(tmp_path):
+    """It crosses itself deeper than is left as it is, but at a quarter of its size less deep."""
+    scan, surfaces = _crossed(_pebble(4), 3), []
+    for name, scale in (("a.stl", 1.0), ("b.stl", 0.25)):
+        scan.export(tmp_path / name)
+        with pytest.warns(UserWarning, match="drawn again"):
+            surfaces.append(read_surface(str(tmp_path / name), scale))
+    assert_allclose(surfaces[1].vertices, 0.25 * surfaces[0].vertices, rtol=0, atol=1e-9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_surface(str(tmp_path / "b.stl"), 2.0)
+
+
+def test_a_file_that_is_overwritten_is_another_body(tmp_path):
+    """In the same box, under the same name."""
+    volumes = []
+    for power in (1.0, 0.8):
+        body = _pebble(3)
+        points = body.vertices - body.bounds.mean(axis=0)
+        body.vertices = np.sign(points) * abs(points) ** power
+        body.apply_scale(np.asarray(SIZE) / body.extents)
+        body.export(tmp_path / "pebble.stl")
+        volumes.append(body_of(_load(tmp_path, "pebble.stl")).volume_mm3())
+    assert volumes[1] > 1.05 * volumes[0]
 
 
 def test_a_ragged_hole_is_closed(tmp_path):
@@ -298,6 +390,15 @@ def test_pieces_that_overlap_are_united_with_a_warning(tmp_path):
     assert_allclose(found["size_mm"], (SIZE[0] + 30, *SIZE[1:]), rtol=1e-5)
 
 
+def test_a_void_that_a_union_leaves_is_filled_and_the_pieces_are_united(tmp_path):
+    path = _written(tmp_path, _with_lid_over_a_dent)
+    with pytest.warns(
+        UserWarning, match=r"filled 1 void of up to 3 mm and united 2 pieces that overlap"
+    ):
+        surface = read_surface(str(path))
+    assert surface.volume == pytest.approx(52 * 46 * 48 + 30 * 30 * 2)
+
+
 def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
     grain = trimesh.creation.icosphere(1, 0.3)
     grain.apply_translation([30.0, 0.0, 0.0])
@@ -313,6 +414,8 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
         pytest.param(_halved, r"is open: \d+ edges have a triangle on one side", id="open"),
         pytest.param(_finned, r"is open: 2 edges .* 1 edges more than two", id="a fin"),
         pytest.param(lambda one: one + _moved(one, 99.0), "2 separate surfaces", id="two pieces"),
+        pytest.param(_with_plate, "2 separate surfaces", id="a plate as long as the body"),
+        pytest.param(_with_many_crumbs, "4 separate surfaces", id="too many crumbs"),
         pytest.param(_hollow, "2 separate surfaces.*without holes inside", id="a void inside"),
         pytest.param(_crossing, "crosses itself", id="crossing itself"),
         pytest.param(_dented, "crosses itself", id="crossing itself a little"),

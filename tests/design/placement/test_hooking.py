@@ -13,7 +13,12 @@ from design.errors import SpecError
 from design.fit.everything import problems_of
 from design.placement import hooking
 from design.placement.asked import place_parts
-from design.placement.hooking import castable_request, shell_variants_of, with_thinnest
+from design.placement.hooking import (
+    castable_request,
+    least_hooked_mm,
+    shell_variants_of,
+    with_thinnest,
+)
 from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant, spec_of
 
 
@@ -92,6 +97,22 @@ def test_what_is_closed_is_said_once_in_the_file_s_own_mm(tmp_path):
         castable_request(
             Request("imported", tuple(read["size_mm"]), file=file), tmp_path / "castable.stl"
         )
+
+
+def test_hooks_are_those_of_the_file_s_content(tmp_path):
+    """A ball, then under the same name and in the same box one with dents on four sides."""
+    hooked_mm = []
+    for deep in (0.0, 0.3):
+        ball = trimesh.creation.icosphere(3, 30.0)
+        x, y, z = ball.vertices.T
+        for axis, aside in ((0, y), (1, x)):
+            ball.vertices[:, axis] *= 1 - deep * np.exp(-(aside**2 + z**2) / 150)
+        ball.apply_scale(60 / ball.extents)
+        ball.export(tmp_path / "ball.stl")
+        read = body_of_file(tmp_path / "ball.stl")
+        file = (("file", read["file"]), ("scale", 1.0))
+        hooked_mm.append(least_hooked_mm(Request("imported", tuple(read["size_mm"]), file=file)))
+    assert hooked_mm[0] < 1e-3 < hooked_mm[1]
 
 
 def test_kinds_know_where_their_halves_hook_nothing(monkeypatch):

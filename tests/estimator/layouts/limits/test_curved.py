@@ -10,7 +10,9 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 from scipy.spatial import ConvexHull
+from trimesh.creation import icosphere
 
+from design.body.imported import body_of_file
 from design.errors import InputError
 from design.fabrication.layout import failures, layout_findings
 from design.fit.parts import distance_mm
@@ -173,6 +175,20 @@ def test_silicone_over_magnets_is_that_of_their_rims():
                 wanted = cover_mm(frame, replace(body, centre_mm=np.array([x, y, -depth])))
                 found = float(covers[frame.number].wall_over(np.array([[x, y, depth]]))[0, 0])
                 assert found == pytest.approx(wanted, abs=0.02)
+
+
+def test_silicone_over_magnets_is_that_of_the_file_s_content(tmp_path):
+    """In one box an ellipsoid, then under its name one with fuller sides, as under a new name."""
+    walls = []
+    for power, name in ((1.0, "a.stl"), (0.8, "a.stl"), (0.8, "b.stl")):
+        ball = icosphere(4, 1.0)
+        ball.vertices = np.sign(ball.vertices) * abs(ball.vertices) ** power
+        ball.apply_scale(np.array([64.0, 54.0, 54.0]) / ball.extents)
+        ball.export(tmp_path / name)
+        body = {"kind": "imported", "sensed_faces": [1], **body_of_file(tmp_path / name)}
+        spec = parse_spec({"name": "ball", "body": body}, "test")
+        walls.append(curved.covers_of(spec)[1][0].wall_over(np.array([[9.0, 9.0, 4.0]]))[0, 0])
+    assert walls[1] == walls[2] != walls[0]
 
 
 @pytest.mark.parametrize("body", ["box", "egg"])
