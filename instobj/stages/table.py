@@ -75,7 +75,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=22,
+        version=23,
     ),
     "sheet": Stage(
         "design: order list and assembly sheet",
