@@ -417,6 +417,11 @@ def request_of(
         _refuse_alone("with --from FILE", scale=scale)
     if kind is None and size_mm is None:
         return None
+    for option, count in (("sensors", sensors), ("magnets", magnets)):
+        if count is not None and count < 1:
+            raise InputError(
+                f"--{option} must be 1 or more; got {count}. Leave it out for as many as fit"
+            )
     kind = kind or BodySpec().kind
     if kind not in KINDS:
         raise InputError(f"--kind {kind} is not known. {_kind_that_is_meant(kind)}")
@@ -432,7 +437,8 @@ def request_of(
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
     request = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
-    request = replace(request, sensors=sensors or request.sensors, takes_fewer=sensors is None)
+    count = request.sensors if sensors is None else sensors
+    request = replace(request, sensors=count, takes_fewer=sensors is None)
     if file is None:
         return request
     mm = 1.0 if scale is None else scale

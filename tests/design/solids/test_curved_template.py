@@ -145,7 +145,9 @@ def test_a_sheet_on_a_rounded_edge_can_be_printed_and_keeps_its_play(tmp_path):
     play = spec.printer.clearance_mm
     for frame in face_frames(spec):
         template = make_curved_template(spec, frame.number)
-        assert thinnest_wall(template).thickness_mm > spec.printer.wall_mm
+        wall = thinnest_wall(template)
+        assert wall is not None
+        assert wall.thickness_mm > spec.printer.wall_mm
         corners, middles, edges = (
             measured_distance_mm(carton, frame.centre_mm + points @ frame.axes.T).min()
             for points in (

@@ -365,6 +365,8 @@ def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
         ({"size_mm": (1.0, 1.0, 1.0), "file": PEAR}, "Leave it out, or use --scale"),
         ({"file": PEAR, "scale": 0.0}, "above 0 and finite; got 0"),
         ({"file": PEAR, "scale": float("nan")}, "above 0 and finite; got nan"),
+        ({"size_mm": (60.0, 40.0, 30.0), "sensors": 0}, "--sensors must be 1 or more; got 0"),
+        ({"size_mm": (60.0, 40.0, 30.0), "magnets": 0}, "--magnets must be 1 or more; got 0"),
         ({"sensors": 2}, "--sensors 2 goes with --kind and --size"),
         ({"magnets": 4}, "--magnets 4 goes with --kind and --size"),
         ({"size_mm": (60.0, 40.0, 30.0), "scale": 2.0}, "--scale 2.0 goes with --from FILE"),
