@@ -189,12 +189,12 @@ def shell_variants_of(request: Request) -> tuple[ShellVariant, ...]:
 def with_thinnest(request: Request) -> Request:
     """The same, under the thinnest of its shells that give way."""
     needed = _needed_mm(request)
-    enough = [
+    yielding = [
         shell for shell in shell_variants_of(request) if shell.thickness_mm >= needed - _EXACT_MM
     ]
-    if not enough:
+    if not yielding:
         return replace(request, thinnest=SHELL_VARIANTS[-1])
-    thinnest = min(enough, key=lambda shell: (shell.thickness_mm, shell.pocket_diameter_mm))
+    thinnest = min(yielding, key=lambda shell: (shell.thickness_mm, shell.pocket_diameter_mm))
     return replace(request, thinnest=thinnest)
 
 

@@ -325,13 +325,13 @@ def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
 
     The layout as placed, where the seam hooks the least area, leads if it is among them or alone.
     """
-    as_placed = undercut_depth_mm(spec_of(tables)) <= room_mm
-    if as_placed:
+    placed_yields = undercut_depth_mm(spec_of(tables)) <= room_mm
+    if placed_yields:
         yield tables
     hooked = hooked_by_azimuth_mm(tables)
     yielding = sorted((depth, azimuth) for azimuth, depth in hooked.items() if depth <= room_mm)
     yield from (turned(tables, azimuth) for _, azimuth in yielding)
-    if not (as_placed or yielding):
+    if not (placed_yields or yielding):
         yield tables
 
 
