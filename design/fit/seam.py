@@ -6,6 +6,8 @@ Such an object fits together and can be simulated, but its mould has thin walls 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
+from itertools import pairwise
 
 import numpy as np
 from jaxtyping import Float
@@ -25,7 +27,7 @@ from design.layout.mould.frame import (
     undercut_depth_mm,
     wall_to_plane_mm,
 )
-from design.layout.mould.pins import Pin, pin_holes
+from design.layout.mould.pins import Pin, pin_holes, pins_thin_the_seam
 from design.layout.mould.pouring import (
     Hole,
     hole_thins_the_seam,
@@ -41,6 +43,9 @@ _FAILS = "check --fabrication fails on it"
 _ALONG_THE_SEAM = 1e-9
 _AZIMUTHS_DEG = np.arange(0.0, 180.0, 3.0)
 """Azimuths of seams that are tried, until one does neither."""
+_WINDOW_STEP_DEG, _MOST_WINDOWS = 1.5, 6
+"""Step at which windows between pins are sought where none of these helps (degrees), and how many of them are
+tried: those of nine magnets on each face are a few degrees wide."""
 
 
 def seam_in_words(spec: ObjectSpec) -> list[str]:
@@ -63,6 +68,26 @@ def better_azimuth(spec: ObjectSpec) -> float | None:
     """Return the nearest `mould.parting_azimuth_deg` without the faults of this seam; None where it has
     none, or no seam is without."""
     return _nearest_azimuth(spec) if any(_faults(spec)) else None
+
+
+def windows_deg(spec: ObjectSpec, start_deg: float) -> list[float]:
+    """Return azimuths in the middle of the widest windows in which no pin's hole thins the seam."""
+    azimuths = start_deg + np.arange(-90.0, 90.0, _WINDOW_STEP_DEG)
+    is_thin = [pins_thin_the_seam(_turned(spec, azimuth)) for azimuth in azimuths.tolist()]
+    thin = np.flatnonzero([True, *is_thin, True]) - 1
+    windows = sorted(((b - a, (a + b) // 2) for a, b in pairwise(thin) if b > a + 1), reverse=True)
+    return [round(float(azimuths[k]), 1) for _, k in windows[:_MOST_WINDOWS]]
+
+
+def _azimuths_deg(spec: ObjectSpec, start_deg: float) -> Iterator[float]:
+    away = abs((_AZIMUTHS_DEG - start_deg + 90.0) % 180.0 - 90.0)
+    yield from _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist()
+    with suppress(InputError):
+        yield from windows_deg(spec, start_deg)
+
+
+def _turned(spec: ObjectSpec, azimuth_deg: float) -> ObjectSpec:
+    return spec.changed(mould=spec.mould.changed(parting_azimuth_deg=azimuth_deg))
 
 
 def _faults(spec: ObjectSpec) -> tuple[list[str], list[str]]:
@@ -172,13 +197,13 @@ def _room_mm(spec: ObjectSpec) -> float:
 
 @cached_geometry
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
-    """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows."""
+    """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows; one in a
+    window between pins where the steps miss all."""
     plane, frame = parting(spec), mould_frame(spec)
     start = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     room = _room_mm(spec)
-    away = abs((_AZIMUTHS_DEG - start + 90.0) % 180.0 - 90.0)
-    for azimuth in _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist():
-        turned = spec.changed(mould=spec.mould.changed(parting_azimuth_deg=azimuth))
+    for azimuth in _azimuths_deg(spec, float(start)):
+        turned = _turned(spec, azimuth)
         if any(depth > _room_mm(spec) for depth, _ in _fins(spec, parting(turned))):
             continue
         try:

@@ -22,6 +22,7 @@ from design.placement.objects import (
     bare_tables,
     fits_roughly,
     fitting,
+    fitting_most,
     fitting_tables,
     roomy_faces,
     spec_of,
@@ -39,8 +40,6 @@ _DIGITS, _ROUNDED = 4, 0.999
 longest edge."""
 _MOULD_MM = 30.0
 """Room for walls and flanges, beyond the body."""
-_FACES = 6
-"""Faces of a body, at most."""
 _PLATE = 0.5
 """Share of the shorter of the other edges, up to which a height makes a plate."""
 
@@ -64,30 +63,17 @@ def most_printed_mm() -> float:
 def placements(request: Request) -> Iterator[Tables]:
     """The same for each shell that takes everything, the most generous first.
 
-    A request that takes fewer sensors has the number of a face of which the whole body takes most.
-
     Raises
     ------
     SpecError
         As `place_parts`.
     """
     request = with_thinnest(request)
-    shells, best, most = shell_variants_of(request), None, 0
-    for sensors in range(request.sensors, 0 if request.takes_fewer else request.sensors - 1, -1):
-        request = replace(request, sensors=sensors)
-        layouts = fitting(request, shells, SHARES)
-        first = next(layouts, None)
-        if first is None:
-            continue
-        of_body = sensors * len(spec_of(first).body.sensed)
-        if of_body > most:
-            best, most = chain([first], layouts), of_body
-        # all faces take them, or fewer on every face would be no more of them
-        if "sensed_faces" not in first["body"] or most >= (sensors - 1) * _FACES:
-            break
-    if best is None:
+    layouts = fitting_most(request, shell_variants_of(request), SHARES)
+    first = next(layouts, None)
+    if first is None:
         raise SpecError(_not_placed(request))
-    yield from best
+    yield from chain([first], layouts)
 
 
 def _bare(request: Request) -> Tables:
@@ -99,11 +85,16 @@ def _not_placed(request: Request) -> str:
     body = "an imported body" if request.file else f"a body of kind {request.kind}"
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
-    parts = f"{sensors} and {magnets} per face"
-    ways = [*_larger(request), *base_advice(request), *_fewer(request), *_simpler(request)]
-    if ways:
-        return f"{body} of {size} mm is too small for {parts}. {'; or '.join(ways)}"
+    fewest = replace(request, sensors=1)
+    even = request.takes_fewer and request != fewest
+    parts = f"{sensors} and {magnets} per face{' (even for 1 sensor)' * even}"
+    ways = "; or ".join(_ways(request))
+    if even and not ways and (ways_of_fewest := _ways(fewest)):
+        ways = f"With 1 sensor: {'; or '.join(ways_of_fewest)}"
     rough = rough_patches(spec_of(_bare(request))) if request.file else []
+    if ways:
+        message = f"{body} of {size} mm is too small for {parts}"
+        return ". ".join([message, *rough, ways[0].upper() + ways[1:]])
     # what does not fit at any size is not too small
     longest = max(request.size_mm)
     growth = _most_growth(longest)
@@ -112,6 +103,10 @@ def _not_placed(request: Request) -> str:
         f"that ({growth * longest:.4g} mm)"
     )
     return ". ".join([message, *rough, "Choose another shape"])
+
+
+def _ways(request: Request) -> list[str]:
+    return [*_larger(request), *base_advice(request), *_fewer(request), *_simpler(request)]
 
 
 def _larger(request: Request) -> Iterator[str]:

@@ -31,7 +31,7 @@ from design.placement.objects import (
     ShellVariant,
     Tables,
     bare_tables,
-    first_fit,
+    fitting_most,
     spec_of,
 )
 
@@ -132,16 +132,28 @@ def castable_request(request: Request, target: Path) -> tuple[Request, str]:
 
 
 def simple_body_text(request: Request, kind: str, size_mm: tuple[float, float, float]) -> str:
-    """Return the options of the least body of a kind, thick enough that its parts find room; or nothing."""
+    """Return the options of the least body of a kind that takes all parts on all its faces, and of the least
+    that does on some of them where that is smaller; empty where none fits."""
+    x, y, z = (float(np.ceil(2 * edge) / 2) for edge in size_mm)
+    on_some = ""
     for growth in _GROWTHS:
-        x, y, z = (float(np.ceil(2 * edge) / 2) for edge in size_mm)
         least = float(np.ceil(2 * growth * min(x, y, z)) / 2)
         grown = (max(x, least), max(y, least), max(z, least))
-        wanted = replace(request, kind=kind, size_mm=grown, file=())
-        if KINDS[kind].takes_size(grown) and first_fit(wanted, SHELL_VARIANTS[-1:], COARSE):
-            size = " ".join(f"{edge:g}" for edge in grown)
-            return f"take a simple body, as --kind {kind} --size {size}"
-    return ""
+        if not KINDS[kind].takes_size(grown):
+            continue
+        wanted = replace(request, kind=kind, size_mm=grown, file=(), faces=None)
+        tables = next(fitting_most(wanted, SHELL_VARIANTS[-1:], COARSE), None)
+        if tables is None:
+            continue
+        body = f"--kind {kind} --size {' '.join(f'{edge:g}' for edge in grown)}"
+        faces = tables["body"].get("sensed_faces", ())
+        if not faces:
+            return f"{on_some}; or {body}, on all" if on_some else f"take a simple body, as {body}"
+        plural = "s" * (len(faces) > 1)
+        on_some = on_some or (
+            f"take a simple body, as {body}, that takes parts on {len(faces)} face{plural}"
+        )
+    return on_some
 
 
 def _request_of(request: Request, surface: trimesh.Trimesh, target: Path) -> Request:
@@ -178,12 +190,12 @@ def shell_variants_of(request: Request) -> tuple[ShellVariant, ...]:
 def with_thinnest(request: Request) -> Request:
     """The same, under the thinnest of its shells that give way."""
     needed = _needed_mm(request)
-    enough = [
+    yielding = [
         shell for shell in shell_variants_of(request) if shell.thickness_mm >= needed - _EXACT_MM
     ]
-    if not enough:
+    if not yielding:
         return replace(request, thinnest=SHELL_VARIANTS[-1])
-    thinnest = min(enough, key=lambda shell: (shell.thickness_mm, shell.pocket_diameter_mm))
+    thinnest = min(yielding, key=lambda shell: (shell.thickness_mm, shell.pocket_diameter_mm))
     return replace(request, thinnest=thinnest)
 
 

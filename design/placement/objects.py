@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import chain, product
 from math import hypot
 from typing import Any
 
@@ -18,7 +18,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from design.body.kinds.registry import KINDS
-from design.body.surface_chart import FaceFrame
+from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.errors import InputError, SpecError
 from design.fit.everything import can_be_moulded, fits
 from design.layout.boards import wire_bundle_mm
@@ -174,6 +174,26 @@ def fitting(
             yield tables
         if has_tables:
             return
+
+
+def fitting_most(
+    request: Request, shells: tuple[ShellVariant, ...], shares: tuple[float, ...]
+) -> Iterator[Tables]:
+    """Yield the same; of a request that takes fewer sensors, with the number of a face of which the whole
+    body takes most."""
+    best, most = iter(()), 0
+    for sensors in range(request.sensors, 0 if request.takes_fewer else request.sensors - 1, -1):
+        layouts = fitting(replace(request, sensors=sensors), shells, shares)
+        first = next(layouts, None)
+        if first is None:
+            continue
+        sensors_of_body = sensors * len(spec_of(first).body.sensed)
+        if sensors_of_body > most:
+            best, most = chain([first], layouts), sensors_of_body
+        # all faces take them, or fewer on every face would be no more of them
+        if "sensed_faces" not in first["body"] or most >= (sensors - 1) * len(FACE_AXES):
+            break
+    yield from best
 
 
 def fitting_tables(

@@ -15,8 +15,10 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.body.meshes import one_closed_surface
+from design.body.sampled import measured_distance_mm
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
+from design.layout.body import body_of
 from design.layout.pockets import Pocket
 from design.layout.template_marks import bars, mark_places, pockets_by_face
 from design.solids.magnet_template import MARK_DEPTH_MM, PLATE_MM
@@ -24,6 +26,8 @@ from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
+
+    from design.body.kinds.base import BodyKind
 
 RIM_MM = 6.0
 """Width of the sheet beyond the pockets, where the face is as large."""
@@ -64,7 +68,7 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
 
     frame, pockets = next(pair for pair in pockets_by_face(spec) if pair[0].number == face)
     play, half = spec.printer.clearance_mm, sheet_half_mm(frame, pockets)
-    sheet = _sheet(frame, half, (play, play + PLATE_MM))
+    sheet = _sheet(body_of(spec), frame, half, play)
     tools = [_hole(frame, pocket, play) for pocket in pockets]
     corner = np.asarray(half) * (0.5**0.5 if frame.round else 1.0)
     # marks keep to the rectangle within a round rim, or next to it
@@ -153,9 +157,9 @@ def _centres(pockets: tuple[Pocket, ...]) -> Float[np.ndarray, "n 2"]:
 
 
 def _sheet(
-    frame: FaceFrame, half_mm: tuple[float, float], heights_mm: tuple[float, float]
+    body: BodyKind, frame: FaceFrame, half_mm: tuple[float, float], play_mm: float
 ) -> trimesh.Trimesh:
-    """Closed sheet between two heights above the face, in the object's frame.
+    """Closed sheet of even thickness, its lower side that play above the body, in the object's frame.
 
     On a rounded edge it goes on in the direction of the normals farther inside: its own cross each other.
     """
@@ -168,7 +172,13 @@ def _sheet(
     inner = _INNER if _rim_leans(frame, np.asarray(half_mm)) else 1.0
     up = frame.axes_at(places * np.minimum(1.0, inner / np.maximum(far, inner))[:, None])[..., 2]
     foot = frame.to_object(np.column_stack([places, np.zeros(count)]))
-    low, high = (foot + height * up for height in heights_mm)
+    low = foot + play_mm * up
+    if body.sampled:
+        # what a slanting way and a rounded relief leave too little, by the cosine between both normals
+        near = play_mm - measured_distance_mm(body.outer_surface(), low)
+        cosine = np.sum(up * frame.axes_at(places)[..., 2], axis=1)
+        low += (near.clip(min=0) / cosine)[:, None] * up
+    high = low + PLATE_MM * up
     walls = [
         np.column_stack([rim, after, after + count]),
         np.column_stack([rim, after + count, rim + count]),

@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from itertools import chain, islice, pairwise, tee
+from itertools import chain, islice, tee
 from math import inf
 from pathlib import Path
 from typing import Any
@@ -23,6 +23,7 @@ from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
 from design.fit.roughness import roughness_in_words
+from design.fit.seam import windows_deg
 from design.layout.body import body_of
 from design.layout.mould.frame import (
     COMPLIANCE_FRACTION,
@@ -61,9 +62,6 @@ Made = tuple[Tables, list[Finding]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """Turns of a mould's seam that are tried (degrees), and how many of them for each shell."""
-_WINDOW_STEP_DEG, _MOST_WINDOWS = 1.5, 6
-"""Step at which windows between pins are sought where none of these turns helps (degrees), and how many of
-them are tried: those of nine magnets on each face are a few degrees wide."""
 _MOST_RELAID, _MOST_CHECKED = 6, 2
 """Layouts of magnets that are tried of a shell where no seam leaves walls, and how many are checked."""
 _BED = "fits the bed"
@@ -309,7 +307,7 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     room_mm = max(undercut_depth_mm(spec), COMPLIANCE_FRACTION * spec.shell.thickness_mm)
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     yield from _least_hooked(tables, azimuths, room_mm)
-    yield from _least_hooked(tables, _windows_deg(tables, float(azimuth)), room_mm)
+    yield from _least_hooked(tables, windows_deg(spec, float(azimuth)), room_mm)
 
 
 def _least_hooked(tables: Tables, azimuths: list[float], room_mm: float) -> Iterator[Tables]:
@@ -322,29 +320,18 @@ def _least_hooked(tables: Tables, azimuths: list[float], room_mm: float) -> Iter
     yield from (turns[k] for k in order if hooked[k] <= room_mm)
 
 
-def _windows_deg(tables: Tables, start_deg: float) -> list[float]:
-    """Return azimuths in the middle of the widest windows in which no pin's hole thins the seam."""
-    from design.layout.mould.pins import pins_thin_the_seam
-
-    azimuths = start_deg + np.arange(-90.0, 90.0, _WINDOW_STEP_DEG)
-    is_thin = [pins_thin_the_seam(spec_of(turned(tables, a))) for a in azimuths.tolist()]
-    thin = np.flatnonzero([True, *is_thin, True]) - 1
-    windows = sorted(((b - a, (a + b) // 2) for a, b in pairwise(thin) if b > a + 1), reverse=True)
-    return [round(float(azimuths[k]), 1) for _, k in windows[:_MOST_WINDOWS]]
-
-
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
     """Yield layouts whose halves hook the body no deeper than it gives way; the least hooked first.
 
     The layout as placed, where the seam hooks the least area, leads if it is among them or alone.
     """
-    as_placed = undercut_depth_mm(spec_of(tables)) <= room_mm
-    if as_placed:
+    placed_yields = undercut_depth_mm(spec_of(tables)) <= room_mm
+    if placed_yields:
         yield tables
     hooked = hooked_by_azimuth_mm(tables)
     yielding = sorted((depth, azimuth) for azimuth, depth in hooked.items() if depth <= room_mm)
     yield from (turned(tables, azimuth) for _, azimuth in yielding)
-    if not (as_placed or yielding):
+    if not (placed_yields or yielding):
         yield tables
 
 
@@ -417,6 +404,11 @@ def request_of(
         _refuse_alone("with --from FILE", scale=scale)
     if kind is None and size_mm is None:
         return None
+    for option, count in (("sensors", sensors), ("magnets", magnets)):
+        if count is not None and count < 1:
+            raise InputError(
+                f"--{option} must be 1 or more; got {count}. Leave it out for as many as fit"
+            )
     kind = kind or BodySpec().kind
     if kind not in KINDS:
         raise InputError(f"--kind {kind} is not known. {_kind_that_is_meant(kind)}")
@@ -432,7 +424,8 @@ def request_of(
             + ("Add --size" if size_mm is None else "Leave it out, or use --scale")
         )
     request = Request(kind, size_mm or (0.0, 0.0, 0.0), magnets=magnets)
-    request = replace(request, sensors=sensors or request.sensors, takes_fewer=sensors is None)
+    count = request.sensors if sensors is None else sensors
+    request = replace(request, sensors=count, takes_fewer=sensors is None)
     if file is None:
         return request
     mm = 1.0 if scale is None else scale

@@ -75,7 +75,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=22,
+        version=23,
     ),
     "sheet": Stage(
         "design: order list and assembly sheet",
@@ -90,7 +90,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=18,
+        version=19,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=5),
     "response": Stage(

@@ -36,6 +36,7 @@ _EDGES_MM, _FILES_MM = (20.0, 110.0), (35.0, 140.0)
 _MOST_S = 15 * LONGEST_S
 """Processor time of a request and of all that its refusal names, after which the seed is given up."""
 _SIZE = re.compile(r"([\d.]+) × ([\d.]+) × ([\d.]+) mm\b")
+_KIND = re.compile(r"--kind (\w+)(?: --size ([\d.]+) ([\d.]+) ([\d.]+))?")
 _SCALE = re.compile(r"\(scale = ([\d.]+)\)")
 _FEWER = re.compile(r"(\d+) (sensors?|magnets?) per face would fit")
 
@@ -163,8 +164,10 @@ def named(refusal: str, options: Options) -> list[Options]:
     for way in re.split(r"; or |\. ", refusal.split(" per face", 1)[-1]):
         if fewer := _FEWER.search(way):
             found.append(options | {fewer[2].rstrip("s") + "s": int(fewer[1])})
-        elif "--kind pad" in way:
-            found.append(options | {"kind": "pad"})
+        elif kind := _KIND.search(way):
+            edges = {"size_mm": [float(edge) for edge in kind.groups()[1:]]} if kind[2] else {}
+            plain = {key: options[key] for key in options if key not in ("file", "scale")}
+            found.append(plain | {"kind": kind[1]} | edges)
         elif scale := _SCALE.search(way):
             found.append(options | {"scale": float(scale[1])})
         elif size := _SIZE.search(way):

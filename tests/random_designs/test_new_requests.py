@@ -47,6 +47,16 @@ def test_what_a_refusal_names_is_asked_for():
     assert named(scaled, OPTIONS)[0] == OPTIONS | {"scale": 2.5}
 
 
+@pytest.mark.parametrize("faces", ["", ", that takes parts on 4 faces"])
+def test_a_simple_body_that_a_refusal_names_is_asked_for_in_place_of_the_file(faces):
+    refusal = (
+        f"bent. Straighten it; or take a simple body, as --kind capsule --size 26 26.5 193{faces}"
+    )
+    body = {"kind": "capsule", "size_mm": [26.0, 26.5, 193.0], "sensors": 2}
+    options = {"kind": "imported", "file": "scissors.stl", "scale": 1000.0, "sensors": 2}
+    assert named(refusal, options) == [body]
+
+
 THIN = Finding("thinnest wall", "core", 0.5, 0.8, "mm", "fail", "thicken it", (1.0, 2.0, 3.0))
 GOOD = Finding("thinnest wall", "core", 0.9, 0.8, "mm", "pass", "")
 

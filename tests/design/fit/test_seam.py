@@ -57,22 +57,22 @@ def test_a_thin_wall_beside_a_pin_is_told_with_its_place(away_mm, thin):
     assert len(told) == thin
     for text in told:
         assert f"a wall of {wall:.2g} mm beside the hole for the pin of" in text
-        place = [float(x) for x in re.search(r"at \((.*?)\),", text)[1].split(", ")]
+        place = [float(x) for x in re.findall(r"at \((.*?)\),", text)[0].split(", ")]
         assert place[:2] == pytest.approx([wall, 9.0], abs=0.06)
         assert place[2] >= 23
-        better = float(re.search(r"parting_azimuth_deg = (\d+)", text)[1])
+        better = float(re.findall(r"parting_azimuth_deg = (\d+)", text)[0])
         assert seam_in_words(cylinder([away_mm, 9.0], parting_azimuth_deg=better)) == []
 
 
 def test_a_thin_wall_of_a_half_names_the_seam_that_has_none():
     """`check --fabrication` named the key alone."""
     wall = trimesh.creation.box((20.0, 20.0, 0.4))
-    (thin,) = check_walls(Part("mould_half_a", lambda: None), wall, cylinder([3.7, 9.0]))
+    (thin,) = check_walls(Part("mould_half_a", lambda: wall), wall, cylinder([3.7, 9.0]))
     assert thin.status == "fail"
-    better = float(re.search(r"mould\.parting_azimuth_deg = (\d+)\)", thin.what)[1])
+    better = float(re.findall(r"mould\.parting_azimuth_deg = (\d+)\)", thin.what)[0])
     turned = cylinder([3.7, 9.0], parting_azimuth_deg=better)
     assert seam_in_words(turned) == []
-    (alike,) = check_walls(Part("mould_half_a", lambda: None), wall, turned)
+    (alike,) = check_walls(Part("mould_half_a", lambda: wall), wall, turned)
     assert "(mould.parting_azimuth_deg)" in alike.what, "this seam is not why it is thin"
 
 
@@ -86,11 +86,21 @@ def test_a_pouring_hole_that_leaves_a_thin_wall_wherever_it_goes_is_told_with_a_
     (told,) = seam_in_words(spec)
     (hole,), rim = pour_holes(spec), mould_frame(spec).rim_mm
     assert "they leave a wall thinner than 0.8 mm to the seam" in told
-    place = np.array([float(x) for x in re.search(r"as at \((.*?)\)", told)[1].split(", ")])
+    place = np.array([float(x) for x in re.findall(r"as at \((.*?)\)", told)[0].split(", ")])
     assert np.linalg.norm(np.cross(place - hole.top_mm, up(spec))) == pytest.approx(0, abs=0.1)
     assert max(abs(place)) == pytest.approx(rim, abs=0.06), "where it leaves the block"
     assert told.endswith("mould.parting_azimuth_deg = 177 does without")
     assert seam_in_words(cylinder([0.0, 9.0], parting_azimuth_deg=177.0)) == []
+
+
+def test_a_seam_between_the_steps_is_named_where_no_step_does_without(monkeypatch):
+    """`new` found seams in windows between pins where `check` said that there was none."""
+    clear = (51.5, 53.5)
+    free = lambda spec: clear[0] < spec.mould.parting_azimuth_deg < clear[1]  # noqa: E731
+    monkeypatch.setattr(seam, "hole_thins_the_seam", lambda spec, hole: not free(spec))
+    monkeypatch.setattr(seam, "pins_thin_the_seam", lambda spec: not free(spec))
+    (told,) = seam_in_words(cylinder([0.0, 9.0]))
+    assert clear[0] < float(re.findall(r"azimuth_deg = ([\d.]+) does without", told)[0]) < clear[1]
 
 
 def test_a_seam_that_is_not_along_a_pad_s_sides_hooks():

@@ -17,6 +17,7 @@ from design.placement.hooking import (
     castable_request,
     least_hooked_mm,
     shell_variants_of,
+    simple_body_text,
     with_thinnest,
 )
 from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant, spec_of
@@ -79,9 +80,28 @@ def test_a_bent_scan_is_refused_with_a_straight_body_that_takes_all_parts(tmp_pa
     with pytest.raises(SpecError, match=r"outside its surface, as of bent and thin") as refused:
         castable_request(replace(request, takes_fewer=True), tmp_path / "castable.stl")
     named = re.findall(r"--kind capsule --size ([\d.]+) ([\d.]+) ([\d.]+)", str(refused.value))
-    size = tuple(map(float, named[0]))
-    assert 24 <= size[0] <= 32
-    assert problems_of(spec_of(place_parts(Request("capsule", size, takes_fewer=True)))) == []
+    x, y, z = map(float, named[0])
+    assert 24 <= x <= 32
+    capsule = Request("capsule", (x, y, z), takes_fewer=True)
+    assert problems_of(spec_of(place_parts(capsule))) == []
+
+
+def test_simple_bodies_that_take_parts_on_some_faces_say_so_before_the_least_that_does_on_all():
+    """Scissors as a capsule of 26 × 26 × 193 mm took two sensors on faces 2 to 5 alone."""
+    request = Request("imported", (26.0, 60.0, 193.0), file=(("file", "scissors.stl"),))
+    request = replace(request, takes_fewer=True)
+    text = simple_body_text(request, "capsule", (26.0, 26.0, 193.0))
+    sizes = re.findall(r"--kind capsule --size ([\d.]+) ([\d.]+) ([\d.]+)", text)
+    some, every = (
+        place_parts(replace(request, kind="capsule", size_mm=tuple(map(float, size)), file=()))
+        for size in sizes
+    )
+    assert some["body"]["sensed_faces"] == [2, 3, 4, 5]
+    assert "that takes parts on 4 faces; or" in text
+    assert "sensed_faces" not in every["body"]
+    assert every["sensors"]["count_per_face"] == 3
+    thick = simple_body_text(request, "capsule", (60.0, 60.0, 193.0))
+    assert thick == "take a simple body, as --kind capsule --size 60 60 193"
 
 
 def test_what_is_closed_is_said_once_in_the_file_s_own_mm(tmp_path):

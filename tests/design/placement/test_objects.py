@@ -24,7 +24,7 @@ from design.layout.body import body_of
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
-from design.placement import asked, objects
+from design.placement import asked, hooking, objects
 from design.placement.asked import base_advice, place_parts
 from design.placement.objects import (
     Request,
@@ -168,11 +168,10 @@ def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
     with pytest.raises(SpecError, match="too small for 4 sensors") as told:
         place_parts(Request("pad", (20.0, 14.0, 8.0), 4))
     named = re.findall(r"works is about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value))
-    size = tuple(float(edge) for edge in named[0])
-    assert problems_of(spec_of(place_parts(Request("pad", size, 4)))) == []
-    smaller = tuple(0.8 * edge for edge in size)
+    x, y, z = map(float, named[0])
+    assert problems_of(spec_of(place_parts(Request("pad", (x, y, z), 4)))) == []
     with pytest.raises(SpecError, match="too small"):
-        place_parts(Request("pad", smaller, 4))
+        place_parts(Request("pad", (0.8 * x, 0.8 * y, 0.8 * z), 4))
 
 
 @pytest.mark.parametrize(
@@ -233,6 +232,47 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
     for what in ("sensor", "magnet"):
         for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
             place_parts(replace(request_, **{f"{what}s": int(count)}))
+
+
+def test_where_not_even_one_sensor_finds_room_the_refusal_says_what_was_asked():
+    """It said "too small for 1 sensor", and named the size of one, whoever asked for the usual three."""
+    request = Request("box", (16.0, 16.0, 16.0), takes_fewer=True)
+    said = r"too small for 3 sensors and a magnet per face \(even for 1 sensor\)"
+    with pytest.raises(SpecError, match=said) as told:
+        place_parts(request)
+    (size,) = re.findall(r"works is about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value))
+    tables = place_parts(replace(request, size_mm=tuple(map(float, size))))
+    assert tables["sensors"]["count_per_face"] == 3
+    with pytest.raises(SpecError, match=r"too small for 3 sensors and a magnet per face\. The"):
+        place_parts(replace(request, takes_fewer=False))
+
+
+def ruled(monkeypatch, rule):
+    """Let what a rule allows be all that finds room."""
+    for module in (objects, asked):
+        monkeypatch.setattr(module, "fitting", lambda request, *_: iter([{}] * rule(request)))
+        monkeypatch.setattr(module, "roomy_faces", lambda _: ())
+    monkeypatch.setattr(asked, "fits_roughly", rule)
+    monkeypatch.setattr(hooking, "least_hooked_mm", lambda _: 0.0)
+
+
+def test_what_works_for_one_sensor_alone_is_named_as_such(monkeypatch):
+    ruled(monkeypatch, lambda request: request.sensors == 1 and request.size_mm[0] >= 30)
+    with pytest.raises(SpecError, match=r"With 1 sensor: The smallest .* is about 30 × 30 × 30 mm"):
+        place_parts(Request("box", (20.0, 20.0, 20.0), takes_fewer=True))
+
+
+def test_grooves_are_named_next_to_what_works(monkeypatch, tmp_path):
+    """They were left out once a way was named; they may be why nothing fits."""
+    ruled(monkeypatch, lambda request: request.kind == "imported" and request.size_mm[0] >= 50)
+    ridged = trimesh.creation.icosphere(4, 12.0)
+    shift = 0.6 * np.sin(9 * ridged.vertices[:, 0])
+    ridged.vertices += shift[:, None] * ridged.vertices / 12.0
+    ridged.export(tmp_path / "ridged.stl")
+    read = body_of_file(tmp_path / "ridged.stl")
+    file = (("file", read["file"]), ("scale", 1.0))
+    with pytest.raises(SpecError, match=r"too small for .* Face 2 has grooves .* works is about 5"):
+        place_parts(Request("imported", tuple(read["size_mm"]), 1, 1, file, faces=(2,)))
 
 
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
@@ -457,6 +497,7 @@ def test_patterns_that_cannot_be_made_come_last(monkeypatch):
     def places(*hard):
         monkeypatch.setattr(objects, "HARD_TO_MAKE", hard)
         tables = first_fit(request, objects.SHELL_VARIANTS[2:3], shares=(0.5, 0.4))
+        assert tables is not None
         return tables["magnets"]["positions_mm"]
 
     first = places()

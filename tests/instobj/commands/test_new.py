@@ -82,7 +82,7 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path):
 def assert_comments_of_the_kind(kind, text):
     """Not the cube's: other kinds by name, what its size, its opening and its slits are."""
     beside = {line.split(" = ")[0]: line.partition("  # ")[2] for line in text.splitlines()}
-    others = re.findall(r"\w+", re.search(rf'^kind = "{kind}".*?# or (.*?):', text, re.M)[1])
+    others = re.findall(r"\w+", re.findall(rf'^kind = "{kind}".*?# or (.*?):', text, re.M)[0])
     assert {*others, kind} == set(KINDS)
     if kind not in ("box", "imported"):
         assert any(word in text.partition("[shell]")[0] for word in ("diameter", "slab"))
@@ -285,10 +285,11 @@ def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
 def test_seams_go_into_windows_between_pins_that_turns_miss(monkeypatch):
     """Nine magnets a face of an ellipsoid left three windows, of 1 to 4° each."""
     monkeypatch.setattr("design.mould.openings.holes_thin_walls", lambda spec: False)
-    monkeypatch.setattr(
-        "design.layout.mould.pins.pins_thin_the_seam",
-        lambda spec: not 70.0 < (spec.mould.parting_azimuth_deg or 0.0) < 74.5,
-    )
+    for module in ("design.layout.mould.pins", "design.fit.seam"):
+        monkeypatch.setattr(
+            f"{module}.pins_thin_the_seam",
+            lambda spec: not 70.0 < (spec.mould.parting_azimuth_deg or 0.0) < 74.5,
+        )
     (turned,) = filter(new.leaves_walls, new.seams_of(BALL))
     assert turned["mould"]["parting_azimuth_deg"] == 72.0, "the middle of the window"
 
@@ -366,6 +367,8 @@ def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
         ({"size_mm": (1.0, 1.0, 1.0), "file": PEAR}, "Leave it out, or use --scale"),
         ({"file": PEAR, "scale": 0.0}, "above 0 and finite; got 0"),
         ({"file": PEAR, "scale": float("nan")}, "above 0 and finite; got nan"),
+        ({"size_mm": (60.0, 40.0, 30.0), "sensors": 0}, "--sensors must be 1 or more; got 0"),
+        ({"size_mm": (60.0, 40.0, 30.0), "magnets": 0}, "--magnets must be 1 or more; got 0"),
         ({"sensors": 2}, "--sensors 2 goes with --kind and --size"),
         ({"magnets": 4}, "--magnets 4 goes with --kind and --size"),
         ({"size_mm": (60.0, 40.0, 30.0), "scale": 2.0}, "--scale 2.0 goes with --from FILE"),
