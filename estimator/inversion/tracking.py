@@ -56,10 +56,11 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     sought again; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for. All are sought too where the force of jaws that may be tips has doubled, and in the second, fourth,
-    eighth, … frame near a magnet: light contacts are weak evidence of either. A chip without which a frame
-    is explained that is not with it is left out, and the field of a magnet near by is a nuisance where that
-    is more probable than contacts: until several frames in a row are explained as they are.
+    were looked for. All are sought too where the force of jaws that may be tips has doubled, and in the
+    second, fourth, eighth, … frame near a magnet: light contacts are weak evidence of either. A chip without
+    which a frame is explained that is not with it is left out, and the field of a magnet near by is a
+    nuisance where that is more probable than contacts: until several frames in a row are explained as they
+    are.
 
     A core that slipped shows in frames at rest; from then on what the slip adds is taken off, and what is
     uncertain of it is a nuisance.
@@ -164,8 +165,8 @@ class Tracker:
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed
-        anew = self.seen_anew  # it may be there that contacts are looked for from scratch
-        self._believe_again(plain)
+        anew = self.seen_anew
+        self._believe_again(plain)  # may look for contacts from scratch
         last = self._last
         sets = self._followed(self._seen(plain))
         # Tips that go on as they were need no other kind of contact.
