@@ -56,11 +56,13 @@ class LiveContacts:
     def __post_init__(self) -> None:
         self._drifting = drifted(self.inversion)
         self._tracker = Tracker(self.inversion)
-        self._warm_up()
         self.rezero()
 
-    def _warm_up(self) -> None:
-        """Read a press: what the first one builds and imports takes a second, which comes too late live."""
+    def warm_up(self) -> None:
+        """Read a press: what the first one builds and imports takes a second, which comes too late live.
+
+        Files need no jaws before one of their frames asks for them.
+        """
         press = np.array([[[0.0, 0.0, 0.5 * self.inversion.model.bounds[1][2]]]])
         change = self.inversion.model.singles(np.zeros((1, 1), int), press)[0, 0, 0]
         _ = Tracker(self.inversion).feed(change).position_radius_mm

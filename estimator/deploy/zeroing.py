@@ -7,7 +7,8 @@ hides below the noise. A still level becomes the zero
 - at once, when it reads as less than 15 % of the largest force of a press that ended within the last
   5 s: silicone shows hysteresis of up to 10 %, and a new mounting shifts the rest;
 - at once, when the step from the still level before is the whole press turned round, and what is left reads
-  as no press: then it was let go, however far chips drifted while it lasted, as drift has no press's shape;
+  as no press, or as one of up to 15 % of its force: then it was let go, however far chips drifted while it
+  lasted, as drift has no press's shape;
 - at once, when no press explains it, but the zero read from it is one: then the zero was taken
   while something touched;
 - by at most 1 count/s, when it reads as no contact: drift.

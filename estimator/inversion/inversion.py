@@ -202,7 +202,7 @@ class Inversion:
         return tips
 
     @property
-    def _flat(self) -> bool:
+    def flat(self) -> bool:
         """Return whether contacts are known to be jaws."""
         return self.model.spec.inversion.probes == "flat"
 
@@ -219,7 +219,7 @@ class Inversion:
         if not self.jaw_tables or not len(faces):
             return None
         quiet = len(faces) == len(np.unique(faces)) and bool(tips.p_value[0] > _QUIET)
-        least = -np.inf if self._flat else _evidence_of_all(tips, log_evidence) + _DOUBTFUL
+        least = -np.inf if self.flat else _evidence_of_all(tips, log_evidence) + _DOUBTFUL
         return self.jaws.fit(observations, self.jaws.groups(faces.tolist()), least, quiet)
 
     def jaw_reading(self, fit: JawFit, tips: ContactSets) -> ContactSets:
@@ -233,7 +233,7 @@ class Inversion:
         uncertain as jaws make them."""
         jaws = self.jaw_reading(fit, tips)
         log_odds = fit.log_evidence - _evidence_of_all(tips, log_evidence)
-        if self._flat or log_odds > least:
+        if self.flat or log_odds > least:
             return jaws
         return tips if log_odds < _DOUBTFUL else doubted(tips, jaws, float(expit(log_odds)))
 

@@ -234,7 +234,7 @@ class Jaws:
         for jaw, table in enumerate(self.tables_of(group)):
             force, *shape = pose[_POSE * jaw : _POSE * (jaw + 1)]
             lean, edges = np.array(shape[:2]), np.reshape(shape[2:], (2, 2))
-            per_newton, slopes = table.motion_of_newton(lean, edges)
+            per_newton, slopes = table.motion_with_slopes(lean, edges)
             moved += force * per_newton
             by_pose += [per_newton, *(force * slopes)]
         ends = moved + step[free, None, None] * np.array(by_pose)[free]

@@ -56,10 +56,11 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     sought again; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for. All are sought too where the force of jaws has doubled, and in the second, fourth,
-    eighth, … frame near a magnet: light contacts are weak evidence of either. A chip without which a frame
-    is explained that is not with it is left out, and the field of a magnet near by is a nuisance where that
-    is more probable than contacts: until several frames in a row are explained as they are.
+    were looked for. All are sought too where the force of jaws that may be tips has doubled, and in the
+    second, fourth, eighth, … frame near a magnet: light contacts are weak evidence of either. A chip without
+    which a frame is explained that is not with it is left out, and the field of a magnet near by is a
+    nuisance where that is more probable than contacts: until several frames in a row are explained as they
+    are.
 
     A core that slipped shows in frames at rest; from then on what the slip adds is taken off, and what is
     uncertain of it is a nuisance.
@@ -164,8 +165,9 @@ class Tracker:
         followed = self._follow_jaws(plain)
         if followed is not None:
             return followed
-        self._believe_again(plain)
-        last, anew = self._last, self.seen_anew
+        anew = self.seen_anew
+        self._believe_again(plain)  # may look for contacts from scratch
+        last = self._last
         sets = self._followed(self._seen(plain))
         # Tips that go on as they were need no other kind of contact.
         changed = last is None or sets.number[0] != last.number[0] or self.seen_anew > anew
@@ -186,7 +188,8 @@ class Tracker:
 
     def _follow_jaws(self, plain: Observations) -> ContactSets | None:
         """Return the jaws of the frame before refitted, or tips that are far more probable once the force has
-        grown; None where neither explains what is seen."""
+        grown. None where the last frame had no jaws, where refitted they leave too much of this one, or
+        where one of them is faint."""
         if self._jaws is None:
             return None
         (last, reading), self._jaws, self._last = self._jaws, None, None
@@ -195,7 +198,7 @@ class Tracker:
         if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
             return None
         sets = self.inversion.jaw_reading(fit, reading)
-        if force.sum() > _GROWN * self._weighed_n:
+        if not self.inversion.flat and force.sum() > _GROWN * self._weighed_n:
             self._weighed_n, self.seen_anew = float(force.sum()), self.seen_anew + 1
             sought = self.inversion.search.contacts(plain)
             best = sought.best()
@@ -203,7 +206,8 @@ class Tracker:
             tips = self.inversion.reading(plain, problems, odds, self._error)
             sets = self.inversion.weighed(fit, tips, float(sought.log_evidence[best][0]), -SURE)
             if not sets.jaws[0]:
-                self._last = problems
+                self._last, self._odds = problems, odds
+                self._rival = None if sets is tips else fit
                 return sets
         self._jaws = fit, sets
         return sets

@@ -14,7 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.linalg
 from jaxtyping import Bool, Float, Int
-from scipy.linalg.lapack import dposv  # pyright: ignore[reportAttributeAccessIssue]
+from scipy.linalg.lapack import (
+    dposv,  # pyright: ignore[reportAttributeAccessIssue]
+    dpotrs,  # pyright: ignore[reportAttributeAccessIssue]
+)
 from scipy.optimize import nnls
 
 from design.errors import SolverError
@@ -115,7 +118,7 @@ def _solve_complementarity(
         pressure = np.zeros(len(gap))
         (index,) = np.nonzero(active)
         if len(index):
-            pressure[index] = solve_positive(_block(compliance, index), -gap[index])
+            pressure[index], _ = solve_positive(_block(compliance, index), -gap[index])
         after = compliance @ pressure + gap
         switched = after < least
         switched[index] = pressure[index] > 0
@@ -131,15 +134,20 @@ def _block(matrix: np.ndarray, index: Int[np.ndarray, "chosen"]) -> np.ndarray:
     return matrix.take(index, axis=0).take(index, axis=1)
 
 
-def solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
-    """A⁻¹ b by LAPACK's Cholesky factorization, which overwrites A.
+def solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A⁻¹ b by LAPACK's Cholesky factorization, which overwrites A, and the factor.
 
     The checks around `scipy.linalg.solve` cost two to ten times as much as the solution itself.
     """
-    _, solution, failed = dposv(matrix.T, right_side, lower=True, overwrite_a=True)
+    factor, solution, failed = dposv(matrix.T, right_side, lower=True, overwrite_a=True)
     if failed:
         raise np.linalg.LinAlgError(f"leading minor {failed} is not positive")
-    return solution
+    return solution, factor
+
+
+def solve_factored(factor: np.ndarray, right_side: np.ndarray) -> np.ndarray:
+    """A⁻¹ b by the factor of `solve_positive`."""
+    return dpotrs(factor, right_side, lower=True)[0]
 
 
 def _solve_least_squares(compliance: np.ndarray, gap: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from fem.contact.complementarity import MAX_SWITCHES, contact, solve_positive
+from fem.contact.complementarity import MAX_SWITCHES, contact, solve_factored, solve_positive
 from fem.contact.half_space import Patches
 
 CELLS = 20
@@ -60,7 +60,7 @@ class JawFace:
         motion = np.tensordot(part.spread_over_face(bears), self.motion, 1)
         return force, bears @ part.centre_mm / force, motion
 
-    def motion_of_newton(
+    def motion_with_slopes(
         self, lean: Float[np.ndarray, "2"], edges_mm: Float[np.ndarray, "axis end"]
     ) -> tuple[Float[np.ndarray, "magnet 6"], Float[np.ndarray, "shape magnet 6"]]:
         """Motions per newton, and their derivatives by both leans and by the edges, low and high along x,
@@ -140,60 +140,45 @@ class _Part:
         return np.diff(self.edges_mm)[:, 0] / 2
 
     @cached_property
-    def _own(self) -> Float[np.ndarray, "cell"]:
+    def _self_compliance(self) -> Float[np.ndarray, "cell"]:
         return self.jaw.mm_per_newton.diagonal()[self.cells]
 
     @cached_property
-    def _firmer(self) -> Float[np.ndarray, "cell"]:
+    def _softer_mm_per_newton(self) -> Float[np.ndarray, "cell"]:
         """Return how much deeper each cell sinks per newton on itself where it is covered in part."""
-        return self._own * (1 / self.share - 1)
+        # a cell that is covered in part bears as much less than a whole one at the same depth
+        return self._self_compliance * (1 / self.share - 1)
 
     def block(self, chosen: Int[np.ndarray, "chosen"]) -> Float[np.ndarray, "chosen chosen"]:
         """Return depths per newton of some of the cells."""
         index = self.cells[chosen]
         block = self.jaw.mm_per_newton.take(index, axis=0).take(index, axis=1)
-        block[range(len(index)), range(len(index))] += self._firmer[chosen]
+        block[range(len(index)), range(len(index))] += self._softer_mm_per_newton[chosen]
         return block
 
     def sunk_mm(self, force: Float[np.ndarray, "cell"]) -> Float[np.ndarray, "cell"]:
         """Return the depths of all cells under forces on them."""
-        return (self.jaw.mm_per_newton @ self.spread_over_face(force))[
-            self.cells
-        ] + self._firmer * force
+        sunk = self.jaw.mm_per_newton @ self.spread_over_face(force)
+        return sunk[self.cells] + self._softer_mm_per_newton * force
 
     def spread_over_face(
         self, rows: Float[np.ndarray, "*row cell"]
     ) -> Float[np.ndarray, "*row all_cells"]:
-        """Return the same on all cells of the face: cheaper than to take matrices apart."""
+        """Return values of the part's cells on all cells of the face, 0 elsewhere."""
+        # cheaper than to take matrices apart
         spread = np.zeros((*rows.shape[:-1], len(self.jaw.motion)))
         spread[..., self.cells] = rows
         return spread
 
     def forces(self, bears: Bool[np.ndarray, "cell"]) -> Float[np.ndarray, "cell 3"]:
-        """Forces of each of the three depths where some cells bear: kept, as leans ask for them again."""
-        key = bears.tobytes()
-        if key not in self._solved:
-            self._solved[key] = self._solve(bears, self.depths)
-        return self._solved[key]
-
-    @cached_property
-    def _solved(self) -> dict[bytes, Float[np.ndarray, "cell 3"]]:
-        return {}
-
-    def _solve(
-        self, bears: Bool[np.ndarray, "cell"], depths: Float[np.ndarray, "cell k"]
-    ) -> Float[np.ndarray, "cell k"]:
-        """Return the forces of some depths where some cells bear."""
-        forces = np.zeros(depths.shape)
-        (index,) = np.nonzero(bears)
-        if len(index):
-            forces[index] = solve_positive(self.block(index), depths[index])
-        return forces
+        """Forces of each of the three depths where some cells bear."""
+        return _solved(self, bears.tobytes())[0]
 
     def slopes_by_edges(
         self, force: Float[np.ndarray, "cell"], lean: Float[np.ndarray, "2"]
     ) -> Float[np.ndarray, "cell edge"]:
         """Return the derivatives of the cells' forces by the four edges, where the same cells bear."""
+        bears = force > 0
         sides, away = [], self.depths[:, 1:]
         for axis, end in ((0, 0), (0, 1), (1, 0), (1, 1)):
             out, half = 2 * end - 1, self._half_mm[axis]
@@ -203,13 +188,18 @@ class _Part:
             # and half; of cells that the edge cuts the middle moves half as far, share grows by its 1/size
             moved = ((strip - 1) / 2 - out * away[:, axis] / 2) / half
             grown = np.where(strip, out / self.size_mm[:, axis], 0.0)
-            sides.append(lean[axis] * moved + self._own / self.share * grown * force)
-        return self._solve(force > 0, np.column_stack(sides))
+            grown *= self._self_compliance / self.share
+            sides.append(lean[axis] * moved + grown * force)
+        slopes = np.zeros((len(force), len(sides)))
+        slopes[bears] = solve_factored(
+            _solved(self, bears.tobytes())[1], np.column_stack(sides)[bears]
+        )
+        return slopes
 
 
 @lru_cache(maxsize=16)
 def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float) -> _Part:
-    """The part between four edges (mm); slopes of a fit ask for one part again and again."""
+    """The part between four edges (mm), kept: a fit asks for the slopes where it has just pressed."""
     edges = np.array([[x_low, x_high], [y_low, y_high]])
     (x, x_width), (y, y_width) = map(_covered_mm, jaw.half_mm, edges)
     share = np.multiply.outer(x_width, y_width).ravel() / (4 * jaw.half_mm.prod() / CELLS**2)
@@ -217,8 +207,20 @@ def _part(jaw: JawFace, x_low: float, x_high: float, y_low: float, y_high: float
     column, row = used // CELLS, used % CELLS
     centre = np.column_stack([x[column], y[row]])
     size = np.column_stack([x_width[column], y_width[row]])
-    # a cell that is covered in part bears as much less than a whole one at the same depth
     return _Part(jaw, edges, used, centre, size, share[used])
+
+
+@lru_cache(maxsize=32)
+def _solved(
+    part: _Part, bears: bytes
+) -> tuple[Float[np.ndarray, "cell 3"], Float[np.ndarray, "chosen chosen"]]:
+    """Forces of each of the three depths where some cells bear, and Cholesky's factor: kept, as other leans
+    and the slopes ask for them again."""
+    (index,) = np.nonzero(np.frombuffer(bears, bool))
+    forces, factor = np.zeros(part.depths.shape), np.zeros((0, 0))
+    if len(index):
+        forces[index], factor = solve_positive(part.block(index), part.depths[index])
+    return forces, factor
 
 
 def face_cells(half_mm: Float[np.ndarray, "2"], count: int) -> Patches:

@@ -141,6 +141,7 @@ def contacts_on_port(
     """
     inversion = load_inversion(model_path)
     reader = LiveContacts(inversion, *zeroing.raw_settings)
+    reader.warm_up()
     frames = islice(live_frames(reader, inversion.channels, port, baud), count)
     return (
         json.dumps(contacts_of(inversion, frame) | {"condition": str(reader.condition())})

@@ -95,7 +95,9 @@ def open_estimator(
 
     if model is None:
         return None
-    return InvertedContacts(spec, LiveContacts(load_inversion(model), zero, zero_frames))
+    reader = LiveContacts(load_inversion(model), zero, zero_frames)
+    reader.warm_up()
+    return InvertedContacts(spec, reader)
 
 
 def placed_contact(

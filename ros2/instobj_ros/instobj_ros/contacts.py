@@ -98,6 +98,7 @@ class ContactNode(LifecycleNode):
 
     def _read(self) -> None:
         reader = HeardContacts(self._inversion)
+        reader.warm_up()
         reader.heard = self._publish_frame
         port, baud = self._value("port"), self._value("baud")
         channels = [

@@ -56,7 +56,7 @@ def test_slopes_of_motions_are_those_of_presses_near_by(jaw, lean, edges):
         return motion / force
 
     shape = np.array([*lean, *edges])
-    per_newton, slopes = jaw.motion_of_newton(shape[:2], shape[2:].reshape(2, 2))
+    per_newton, slopes = jaw.motion_with_slopes(shape[:2], shape[2:].reshape(2, 2))
     assert_allclose(per_newton, of_newton(shape), rtol=1e-12)
     for slope, way in zip(slopes, 1e-5 * np.diag([1, 1, 1, -1, 1, -1]), strict=True):
         expected = (of_newton(shape + way) - per_newton) / way.sum()

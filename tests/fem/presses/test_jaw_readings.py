@@ -40,7 +40,7 @@ def reader(spec, rigid_response, tmp_path_factory):
     return load_inversion(path)
 
 
-def frame_of(spec, response, tips, depth_mm, **indenter):
+def frame_of(spec, response, tips, depth_mm, seed=3, **indenter):
     """Noisy counts, and the press."""
     press = press_tips(
         spec.changed(indenter=IndenterSpec(**indenter)),
@@ -50,7 +50,7 @@ def frame_of(spec, response, tips, depth_mm, **indenter):
     )
     counts = signals_of_motions(spec, press.motion[None]).delta_counts[0, 0].ravel()
     noise = np.tile(np.asarray(spec.sensors.noise_counts), len(counts) // 3)
-    return counts + noise * np.random.default_rng(3).normal(size=len(counts)), press
+    return counts + noise * np.random.default_rng(seed).normal(size=len(counts)), press
 
 
 def grasp(spec, response, tilt, depth):
@@ -140,6 +140,39 @@ def test_a_grasp_by_jaws_is_followed_as_jaws_until_it_lets_go(spec, reader, rigi
     assert read.number.tolist() == [1]
 
 
+def fingers(spec, response, place, depth_mm, seed=3):
+    """Counts of two flat fingers of 14 mm on opposite faces, and the press."""
+    tips = [Tip(face, *place) for face in (3, 5)]
+    return frame_of(spec, response, tips, depth_mm, seed, kind="cuboid", size_mm=(14.0, 14.0))
+
+
+def test_fingers_that_passed_for_a_magnet_are_jaws_once_it_is_gone(spec, reader, rigid_response):
+    """So light, a magnet near by explains them; contacts looked for from scratch end it, and are weighed."""
+    tracker, sets = Tracker(reader), []
+    tracker.feed(np.zeros(reader.model.channels))
+    for number, depth in enumerate((0.08, 0.16, 0.32, 0.32)):
+        counts, press = fingers(spec, rigid_response, (0.0, 0.0), depth, 29 + number)
+        sets.append((tracker.feed(counts), tracker.beside_magnet))
+    assert sets[1][1]
+    for read, beside_magnet in sets[2:]:
+        assert not beside_magnet
+        assert read.jaws.all()
+        assert read.number.tolist() == [2]
+        assert (abs(read.force_n[0, :2] - press.force_n) < 2 * read.force_halfwidth_n[0, :2]).all()
+
+
+def test_tips_that_jaws_gave_way_to_stay_as_uncertain(spec, reader, rigid_response):
+    """Of a finger that presses on they may still be jaws in the next frame."""
+    tracker, sets = Tracker(reader), []
+    tracker.feed(np.zeros(reader.model.channels))
+    for depth in (0.1, 0.212, 0.324, 0.436, 0.436, 0.436):
+        counts, _ = fingers(spec, rigid_response, (-6.0, 4.0), depth)
+        sets.append(tracker.feed(counts))
+    assert [bool(read.jaws[0]) for read in sets] == [False, True, True, False, False, False]
+    first, *later = (np.nansum(read.force_halfwidth_n[0]) for read in sets[3:])
+    assert (np.array(later) > 0.9 * first).all()
+
+
 LIGHT_N = 3.0
 
 
@@ -169,9 +202,23 @@ def test_tips_that_may_be_a_light_finger_are_less_certain(reader, light_fingers)
     assert np.sum(either > 1.2 * tips) >= 2
 
 
-def test_fingers_known_to_be_flat_are_read_as_jaws(spec, reader, light_fingers):
+@pytest.fixture(scope="module")
+def flat(spec, reader):
+    """The reader of contacts that are known to be flat."""
     known = spec.changed(inversion=spec.inversion.model_copy(update={"probes": "flat"}))
-    flat = replace(reader, model=replace(reader.model, spec=known))
+    return replace(reader, model=replace(reader.model, spec=known))
+
+
+def test_fingers_known_to_be_flat_are_never_sought_as_tips_again(spec, flat, rigid_response):
+    tracker, sought = Tracker(flat), []
+    tracker.feed(np.zeros(flat.model.channels))
+    for depth in (0.2, 0.3, 0.45):  # to more than twice the force
+        assert tracker.feed(fingers(spec, rigid_response, (0.0, 0.0), depth)[0]).jaws.all()
+        sought.append(tracker.seen_anew)
+    assert len(set(sought)) == 1
+
+
+def test_fingers_known_to_be_flat_are_read_as_jaws(flat, light_fingers):
     for counts, force_n in light_fingers:
         read, _ = flat.read(counts[None])
         assert read.jaws.all()

@@ -423,6 +423,7 @@ FAULTS = {
     "silent in a press": (says(None, in_press), SILENT),
     "end of scale once": (spike, "more than the limit"),
     "end of scale in a press": (says(191.0, in_press), "more than the limit"),
+    "end of scale of a pull, in a press": (says(-191.0, in_press), "more than the limit"),
     "drift of the cell": (drifting(0.02), "expected"),
     "drift of the cell, down": (drifting(-0.05), "it drifts"),
     # what the board says
