@@ -10,16 +10,13 @@ import numpy as np
 from jaxtyping import Float
 from scipy.ndimage import gaussian_filter, map_coordinates
 
+from design.body.imported import FEWEST_CORNERS, GRID_POINTS, MERGED_MM
 from design.body.meshes import distance_mm, simplified
-from design.body.sampled import contour_of, grid_points, measured_where_near
+from design.body.sampled import contour_of, measured_on_grid
 
 if TYPE_CHECKING:
     import trimesh
 
-_SIMPLIFIED_MM = 0.05
-"""Tolerance within which a scan's triangles are merged: less than a printed layer."""
-_GRID_POINTS = 250_000
-"""Points of the grid over a scan's box on which distances are measured: 1.2 mm apart in a soup can's."""
 _SMOOTHED_STEPS = 0.7
 """Standard deviation, in steps of the grid, by which distances are smoothed: noise that neighbouring corners
 share goes, and edges lose some tenths of a millimetre."""
@@ -32,8 +29,6 @@ _AS_LITTLE_MM = 1.0
 """Distance by which a scan may stand farther out of one body than of another that counts as good."""
 _NOISE_MM = 0.02
 """Noise of a scan's corners (one standard deviation) from which it is a scan: a tenth of a printed layer."""
-_FEWEST_CORNERS = 1000
-"""A file of fewer corners is drawn, not scanned."""
 _ASKEW, _LONGER = 1.2, 1.05
 """Volume of a scan's box over that of its tightest one, and longest extent along its axes of inertia over
 that along x, y and z, beyond which it lies askew."""
@@ -95,7 +90,7 @@ def without_noise(scan: trimesh.Trimesh) -> tuple[trimesh.Trimesh, float]:
     import trimesh
 
     noise = noise_mm(scan)
-    if len(scan.vertices) < _FEWEST_CORNERS or noise < _NOISE_MM:
+    if len(scan.vertices) < FEWEST_CORNERS or noise < _NOISE_MM:
         return scan, 0.0
     smooth = scan.copy()
     trimesh.smoothing.filter_taubin(smooth, _SHRINK, _GROW, _SMOOTHINGS)
@@ -114,7 +109,7 @@ def traits_of_scan(surface: trimesh.Trimesh) -> str:
     """
     import trimesh
 
-    if len(surface.vertices) < _FEWEST_CORNERS:
+    if len(surface.vertices) < FEWEST_CORNERS:
         return ""
     if without_noise(surface)[1]:
         return f"this scan is noisy, by {noise_mm(surface):.2g} mm"
@@ -134,7 +129,7 @@ def castable_body(scan: trimesh.Trimesh) -> CastableBody:
     """
     import trimesh
 
-    scan = simplified(scan, _SIMPLIFIED_MM)
+    scan = simplified(scan, MERGED_MM)
     box_axes, _ = trimesh.bounds.oriented_bounds(scan.convex_hull)
     tried = [
         body
@@ -157,11 +152,9 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
     import trimesh
 
     scan.apply_translation(-scan.bounds.mean(axis=0))
-    step = (float(np.prod(scan.extents)) / _GRID_POINTS) ** (1 / 3)
-    points, count = grid_points(scan.extents / 2, step)
-    distance = measured_where_near(scan, points, count, step, mirrored=False)
+    distance, origin, step = measured_on_grid(scan, scan.extents, GRID_POINTS)
     between = trimesh.sample.sample_surface(scan, _SAMPLES, seed=0)[0]
-    places = (np.concatenate([scan.vertices, between]) - points[0]).T / step
+    places = (np.concatenate([scan.vertices, between]) - origin).T / step
     for axis in range(3):
         across = np.moveaxis(distance, axis, 0)
         middle = len(across) // 2  # of an odd number of points: it lies in the plane
@@ -171,7 +164,7 @@ def _evened_bodies(scan: trimesh.Trimesh) -> Iterator[CastableBody]:
         even = gaussian_filter(even, _SMOOTHED_STEPS, mode="nearest")  # lines stay in one piece
         standing_out = float(map_coordinates(even, places, order=1).max())
         changed = float(np.sum((even < 0) != (distance < 0))) * step**3
-        surface = simplified(contour_of(even, points[0], step), _SIMPLIFIED_MM)
+        surface = simplified(contour_of(even, origin, step), MERGED_MM)
         if _has_shallow_hollows(surface):
             surface = surface.convex_hull  # air rises to one place of it
         samples = trimesh.sample.sample_surface(surface, _SAMPLES, seed=0)[0]

@@ -29,11 +29,14 @@ _WELD_MM = 1e-3
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
 _WIDEST_HOLE = 0.5
 """Widest hole that is closed, as a share of the box's shortest edge: what a table hides of a thing on it."""
-_FEWEST_CORNERS, _RAGGED = 1000, 0.05
-"""Corners from which on a surface may be a scan, which is drawn again where it crosses itself, up to that
-share of its shortest edge."""
-_GRID_POINTS, _REDRAWN_MM = 250_000, 0.05
-"""Points of the grid on which it is drawn, as castable bodies, and tolerance of its triangles."""
+FEWEST_CORNERS = 1000
+"""A file of fewer corners is drawn, not scanned."""
+GRID_POINTS = 250_000
+"""Points of the grid over a scan's box on which distances are measured: 1.2 mm apart in a soup can's."""
+MERGED_MM = 0.05
+"""Tolerance within which a scan's triangles are merged: less than a printed layer."""
+_RAGGED = 0.05
+"""Depth, over the shortest edge, up to which a scan that crosses itself is drawn again."""
 _MOST_SHRUNK = 3.0
 """Steps of that grid by which a side of the box may move: edges lose one, a lost limb more."""
 _COMPARED = 5000
@@ -111,7 +114,7 @@ def _closed_surface(source: _Source) -> trimesh.Trimesh:
     if crossing is not None:
         deep_mm, place = crossing
         crosses = f"crosses itself {mm * deep_mm:.2g} mm deep"
-        if len(surface.vertices) < _FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
+        if len(surface.vertices) < FEWEST_CORNERS or deep_mm > _RAGGED * min(surface.extents):
             raise InputError(
                 f"the surface in {path} {crosses} at ({', '.join(f'{mm * x:.3g}' for x in place)}) mm "
                 "from its middle. Unite its pieces in the program that made it"
@@ -374,28 +377,20 @@ def _redrawn(
     import pyvista
 
     from design.body.meshes import distance_mm, simplified
-    from design.body.sampled import (
-        contour_of,
-        grid_points,
-        measured_distance_mm,
-        measured_where_near,
-    )
+    from design.body.sampled import contour_of, measured_distance_mm, measured_on_grid
 
-    step = (float(np.prod(surface.extents)) / _GRID_POINTS) ** (1 / 3)
-    points, count = grid_points(surface.extents / 2, step)
-    grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
+    distance, origin, step = measured_on_grid(surface, surface.extents, GRID_POINTS)
+    grid = pyvista.ImageData(dimensions=distance.shape, spacing=(step,) * 3, origin=tuple(origin))
     closed = pyvista.PolyData.from_regular_faces(surface.vertices, surface.faces)
     mask = closed.voxelize_binary_mask(reference_volume=grid)["mask"]
-    inside = np.asarray(mask, bool).reshape(count, order="F")
-    distance = abs(measured_where_near(surface, points, count, step, mirrored=False))
-    distance = np.where(inside, -distance, distance)
-    contour = contour_of(distance, points[0], step)
+    inside = np.asarray(mask, bool).reshape(distance.shape, order="F")
+    contour = contour_of(np.where(inside, -1, 1) * abs(distance), origin, step)
     pieces, crumbs = _parted_by_size(_solid_pieces(contour) if len(contour.faces) else [])
     lost = f"{crosses}, and drawn again on a grid of {mm * step:.2g} mm"
     fix = "Unite its pieces in the program that made it, or make its thin parts thicker"
     if len(pieces) != 1 or not pieces[0].is_watertight:
         raise InputError(f"{lost} it is {_counted(len(pieces), 'piece')}, not one closed. {fix}")
-    drawn = simplified(pieces[0], _REDRAWN_MM)
+    drawn = simplified(pieces[0], MERGED_MM)
     shrunk = float(abs(drawn.bounds - surface.bounds).max())
     if shrunk > _MOST_SHRUNK * step:
         raise InputError(f"{lost} its box loses {mm * shrunk:.2g} mm on a side. {fix}")

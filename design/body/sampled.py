@@ -180,10 +180,9 @@ def distance_field(body: BodyKind) -> DistanceField:
 def _distance_field(body: BodyKind) -> DistanceField:
     from scipy.ndimage import spline_filter
 
-    step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
-    points, count = grid_points(np.asarray(body.size_mm) / 2, step)
-    distance = measured_where_near(body.outer_surface(), points, count, step, body.mirrored)
-    return DistanceField(points[0], step, spline_filter(distance, order=3, mode="nearest"))
+    size, surface = np.asarray(body.size_mm), body.outer_surface()
+    distance, origin, step = measured_on_grid(surface, size, _GRID_POINTS, body.mirrored)
+    return DistanceField(origin, step, spline_filter(distance, order=3, mode="nearest"))
 
 
 def measured_where_near(
@@ -232,6 +231,20 @@ def octant_of(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     octant = trimesh.Trimesh(surface.vertices, kept, process=False)
     octant.remove_unreferenced_vertices()
     return octant
+
+
+def measured_on_grid(
+    surface: trimesh.Trimesh,
+    size_mm: Float[np.ndarray, "3"],
+    points: int,
+    mirrored: bool = False,
+) -> tuple[Float[np.ndarray, "x y z"], Float[np.ndarray, "3"], float]:
+    """Return distances to a centred surface on a grid of about so many points over its box, as
+    `measured_where_near`, with the grid's first point and step (mm)."""
+    step = (float(np.prod(size_mm)) / points) ** (1 / 3)
+    places, count = grid_points(size_mm / 2, step)
+    distance = measured_where_near(surface, places, count, step, mirrored)
+    return distance, places[0], step
 
 
 def grid_points(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, ...]]:

@@ -44,7 +44,7 @@ class Catalogue(dict[str, Row]):
         return self[name]
 
 
-def read_table(file: str, row: type[Row], key: str = "", otherwise: str = "") -> Catalogue[Row]:
+def read_table(file: str, row: type[Row], key: str = "name", otherwise: str = "") -> Catalogue[Row]:
     """Return the rows of `file`.toml by their names, each a dataclass of type `row`; with `key` and
     `otherwise` as in `Catalogue`.
 

@@ -70,20 +70,29 @@ def better_azimuth(spec: ObjectSpec) -> float | None:
     return _nearest_azimuth(spec) if any(_faults(spec)) else None
 
 
-def windows_deg(spec: ObjectSpec, start_deg: float) -> list[float]:
+def seam_azimuth_deg(spec: ObjectSpec) -> float:
+    """Return the azimuth of a split mould's seam, given or chosen."""
+    plane, frame = parting(spec), mould_frame(spec)
+    return float(
+        np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
+    )
+
+
+def windows_deg(spec: ObjectSpec) -> list[float]:
     """Return azimuths in the middle of the widest windows in which no pin's hole thins the seam."""
-    azimuths = start_deg + np.arange(-90.0, 90.0, _WINDOW_STEP_DEG)
+    azimuths = seam_azimuth_deg(spec) + np.arange(-90.0, 90.0, _WINDOW_STEP_DEG)
     is_thin = [pins_thin_the_seam(_turned(spec, azimuth)) for azimuth in azimuths.tolist()]
     thin = np.flatnonzero([True, *is_thin, True]) - 1
     windows = sorted(((b - a, (a + b) // 2) for a, b in pairwise(thin) if b > a + 1), reverse=True)
     return [round(float(azimuths[k]), 1) for _, k in windows[:_MOST_WINDOWS]]
 
 
-def _azimuths_deg(spec: ObjectSpec, start_deg: float) -> Iterator[float]:
-    away = abs((_AZIMUTHS_DEG - start_deg + 90.0) % 180.0 - 90.0)
+def _azimuths_deg(spec: ObjectSpec) -> Iterator[float]:
+    """Yield azimuths in even steps, the nearest to the seam first, then those of windows between pins."""
+    away = abs((_AZIMUTHS_DEG - seam_azimuth_deg(spec) + 90.0) % 180.0 - 90.0)
     yield from _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist()
     with suppress(InputError):
-        yield from windows_deg(spec, start_deg)
+        yield from windows_deg(spec)
 
 
 def _turned(spec: ObjectSpec, azimuth_deg: float) -> ObjectSpec:
@@ -199,12 +208,10 @@ def _room_mm(spec: ObjectSpec) -> float:
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
     """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows; one in a
     window between pins where the steps miss all."""
-    plane, frame = parting(spec), mould_frame(spec)
-    start = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     room = _room_mm(spec)
-    for azimuth in _azimuths_deg(spec, float(start)):
+    for azimuth in _azimuths_deg(spec):
         turned = _turned(spec, azimuth)
-        if any(depth > _room_mm(spec) for depth, _ in _fins(spec, parting(turned))):
+        if any(depth > room for depth, _ in _fins(spec, parting(turned))):
             continue
         try:
             thin = any(wall < spec.printer.wall_mm for wall, *_ in _walls(turned))

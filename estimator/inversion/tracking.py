@@ -199,14 +199,12 @@ class Tracker:
             return None
         sets = self.inversion.jaw_reading(fit, reading)
         if not self.inversion.flat and force.sum() > _GROWN * self._weighed_n:
-            self._weighed_n, self.seen_anew = float(force.sum()), self.seen_anew + 1
-            sought = self.inversion.search.contacts(plain)
-            best = sought.best()
-            problems, odds = sought.problems.select(best), sought.odds[best]
-            tips = self.inversion.reading(plain, problems, odds, self._error)
-            sets = self.inversion.weighed(fit, tips, float(sought.log_evidence[best][0]), -SURE)
+            self._weighed_n = float(force.sum())
+            sought, odds = self._anew(plain)
+            tips = self.inversion.reading(plain, sought.problems, odds, self._error)
+            sets = self.inversion.weighed(fit, tips, float(sought.log_evidence[0]), -SURE)
             if not sets.jaws[0]:
-                self._last, self._odds = problems, odds
+                self._last, self._odds = sought.problems, odds
                 self._rival = None if sets is tips else fit
                 return sets
         self._jaws = fit, sets
@@ -259,11 +257,8 @@ class Tracker:
             explains = (alone > beside.log_evidence(search, refitted)).all()
         self._sound = self._sound + 1 if explains else 0
         self._beside_for += self.beside_magnet
-        due = self._beside_for > 1 and not self._beside_for & (self._beside_for - 1)
-        if self.beside_magnet and not explains and due:
-            self.seen_anew += 1
-            sought = search.contacts(plain)
-            sought = sought.select(sought.best())
+        if self.beside_magnet and not explains and _is_due(self._beside_for):
+            sought, _ = self._anew(plain)
             explains = p_values(plain, sought.problems)[0] >= _STRAINED
             if explains and not beside.explains_with_fewer(search, sought)[0]:
                 refitted, self._sound = sought.problems, _GONE_AFTER
@@ -301,7 +296,7 @@ class Tracker:
             return self._turned(plain, previous, chip, magnet=False)
         if self._is_magnet(plain):
             return self._turned(plain, None, NONE, magnet=True)
-        if self._strange < 2 or self._strange & (self._strange - 1):
+        if not _is_due(self._strange):
             return sets
         (chip,) = lying_chips(search, plain, error).tolist()
         if chip != NONE and self._chip_lies(plain, previous, chip):
@@ -365,7 +360,8 @@ class Tracker:
         """Return one contact more, or without faint ones, or all sought again, as the evidence says."""
         search = self.inversion.search
         if search.priors.paired:  # of two jaws none changes alone
-            return self._anew(observations)
+            sought, odds = self._anew(observations)
+            return sought.problems, odds
         hypotheses = [search.judged(same)]
         if p_values(observations, same)[0] < _STRAINED:
             hypotheses.append(_penalised(search.grown(observations, same)))
@@ -380,13 +376,15 @@ class Tracker:
         changed = judged.problems.select(best), judged.odds[best]
         if p_values(observations, changed[0])[0] >= UNEXPLAINED:
             return changed
-        return min(changed, self._anew(observations), key=lambda candidate: candidate[0].misfit[0])
+        sought, odds = self._anew(observations)
+        return min(changed, (sought.problems, odds), key=lambda candidate: candidate[0].misfit[0])
 
-    def _anew(self, observations: Observations) -> tuple[Problems, Float[np.ndarray, "1"]]:
+    def _anew(self, observations: Observations) -> tuple[Hypotheses, Float[np.ndarray, "1"]]:
+        """Return the best contacts of a frame, sought from scratch, and their odds among all."""
         self.seen_anew += 1
         judged = self.inversion.search.contacts(observations)
         best = judged.best()
-        return judged.problems.select(best), judged.odds[best]
+        return judged.select(best), judged.odds[best]
 
     def faint_contacts(self, same: Problems) -> bool:
         number = int(same.number[0])
@@ -396,6 +394,12 @@ class Tracker:
         sigma = np.sqrt(variance[2 : 3 * number : 3])
         # By the deviations of a fresh zero: drift makes a hold less certain, and does not end it.
         return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma / self._widened))
+
+
+def _is_due(frames: int) -> bool:
+    """Return whether what takes long is tried again: in the second, fourth, eighth, … frame on end."""
+    # a power of two has one bit, which the number below it lacks
+    return frames > 1 and not frames & (frames - 1)
 
 
 def _penalised(judged: Hypotheses) -> Hypotheses:

@@ -23,13 +23,11 @@ from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
 from design.fit.roughness import roughness_in_words
-from design.fit.seam import windows_deg
+from design.fit.seam import seam_azimuth_deg, windows_deg
 from design.layout.body import body_of
 from design.layout.mould.frame import (
     COMPLIANCE_FRACTION,
-    mould_frame,
     mould_style,
-    parting,
     undercut_depth_mm,
 )
 from design.layout.places.coverage import covered_share
@@ -302,12 +300,10 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     yield tables
     if mould_style(spec) != "split":
         return
-    plane, frame = parting(spec), mould_frame(spec)
-    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     room_mm = max(undercut_depth_mm(spec), COMPLIANCE_FRACTION * spec.shell.thickness_mm)
-    azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
+    azimuths = [round(seam_azimuth_deg(spec) + turn, 1) for turn in _TURNS_DEG]
     yield from _least_hooked(tables, azimuths, room_mm)
-    yield from _least_hooked(tables, windows_deg(spec, float(azimuth)), room_mm)
+    yield from _least_hooked(tables, windows_deg(spec), room_mm)
 
 
 def _least_hooked(tables: Tables, azimuths: list[float], room_mm: float) -> Iterator[Tables]:

@@ -288,15 +288,16 @@ def _print(part: PartManifest, jobs: Mapping[str, PrintJob] | None) -> list[str]
 
 
 def _jobs_text(manifest: BuildManifest, jobs: Mapping[str, PrintJob] | None) -> str:
-    """Say what all pieces take together; nothing without a slicer."""
-    if not jobs:
-        return ""
-    counts = {part.name: part.count for part in manifest.parts}
-    minutes = sum(counts[name] * job.minutes for name, job in jobs.items())
-    filament_g = sum(counts[name] * job.filament_g for name, job in jobs.items())
-    return (
-        f"All pieces: {_duration(minutes)} and {filament_g:.0f} g, by PrusaSlicer's default speeds."
-    )
+    """Say what all pieces take together, or how to have that said."""
+    if jobs is None:
+        return "With PrusaSlicer installed (prusa-slicer), build also says time and filament."
+    printed = {part.name: part.count for part in manifest.parts if part.printing is not None}
+    minutes = sum(printed[name] * job.minutes for name, job in jobs.items())
+    filament_g = sum(printed[name] * job.filament_g for name, job in jobs.items())
+    refused = [name for name in printed if name not in jobs]
+    without = f" but for {', '.join(refused)}, which PrusaSlicer refuses" if refused else ""
+    all_pieces = f"All pieces{without}: {_duration(minutes)} and {filament_g:.0f} g"
+    return f"{all_pieces}, by PrusaSlicer's default speeds."
 
 
 def _duration(minutes: float) -> str:
