@@ -1,4 +1,4 @@
-"""What ruff's rule for private names (`SLF001`) does not see: imports, names in texts, other test files."""
+"""Private names that ruff's rule (`SLF001`) does not see: imports, names in texts, other test files."""
 
 import re
 from pathlib import Path

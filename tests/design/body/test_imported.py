@@ -221,7 +221,7 @@ def _with_plate(surface: trimesh.Trimesh) -> trimesh.Trimesh:
 
 
 def _with_many_crumbs(surface: trimesh.Trimesh) -> trimesh.Trimesh:
-    """Of 0.1 % of the body each, twelve of them."""
+    """Twelve crumbs of 0.1 % of the body each."""
     crumb = trimesh.creation.box((4, 4, 4))
     for i in range(12):
         surface = surface + _moved(crumb, 90 + 10 * i)
@@ -302,7 +302,7 @@ def _crossed(surface: trimesh.Trimesh, share: float) -> trimesh.Trimesh:
 
 @pytest.mark.parametrize("radius_mm", [0.25, 6.0])
 def test_two_balls_on_a_bar_are_kept_whole_or_refused(tmp_path, radius_mm):
-    """Of a bar thinner than the grid's step, 1.2 mm, nothing would be left."""
+    """Nothing would be left of a bar thinner than the grid's step, 1.2 mm."""
     bar = trimesh.creation.cylinder(radius_mm, 120, sections=32)
     bar.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [0, 1, 0]))
     ball = trimesh.creation.icosphere(4, 25.0)
@@ -342,7 +342,7 @@ def test_a_file_is_mended_alike_at_all_scales(tmp_path):
 
 
 def test_a_file_that_is_overwritten_is_another_body(tmp_path):
-    """In the same box, under the same name."""
+    """Box and name stay the same."""
     volumes = []
     for power in (1.0, 0.8):
         body = _pebble(3)
@@ -355,7 +355,7 @@ def test_a_file_that_is_overwritten_is_another_body(tmp_path):
 
 
 def test_a_ragged_hole_is_closed(tmp_path):
-    """Of this border, whose corners lie in no plane, VTK at first leaves a hole of four."""
+    """Corners of this border lie in no plane: VTK at first leaves a hole of four."""
     ball = trimesh.creation.icosphere(3, 30)
     noise = np.random.default_rng(2).normal(0, 1, (len(ball.vertices), 1))
     ball.vertices += noise * ball.vertex_normals

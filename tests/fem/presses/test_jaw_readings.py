@@ -162,7 +162,7 @@ def test_fingers_that_passed_for_a_magnet_are_jaws_once_it_is_gone(spec, reader,
 
 
 def test_tips_that_jaws_gave_way_to_stay_as_uncertain(spec, reader, rigid_response):
-    """Of a finger that presses on they may still be jaws in the next frame."""
+    """Tips of a finger that presses on may still be jaws in the next frame."""
     tracker, sets = Tracker(reader), []
     tracker.feed(np.zeros(reader.model.channels))
     for depth in (0.1, 0.212, 0.324, 0.436, 0.436, 0.436):

@@ -302,7 +302,7 @@ def named_commands():
 
 
 def test_messages_name_commands_that_exist():
-    """Of today's release: old names are handed on, and no message sends anybody to them."""
+    """Old names are handed on, and no message sends anybody to them."""
     listed = get_command(app).commands.items()
     commands = {name for name, command in listed if not command.hidden}
     named = list(named_commands())

@@ -178,7 +178,7 @@ def test_silicone_over_magnets_is_that_of_their_rims():
 
 
 def test_silicone_over_magnets_is_that_of_the_file_s_content(tmp_path):
-    """In one box an ellipsoid, then under its name one with fuller sides, as under a new name."""
+    """An ellipsoid, then one with fuller sides of the same box and name, has walls as under a new name."""
     walls = []
     for power, name in ((1.0, "a.stl"), (0.8, "a.stl"), (0.8, "b.stl")):
         ball = icosphere(4, 1.0)
