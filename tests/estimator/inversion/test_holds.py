@@ -152,7 +152,7 @@ def test_what_drifted_in_minutes_of_changing_contacts_is_not_believed_away_in_a_
 
 @pytest.mark.parametrize("force_n", [4.0, 8.0, 11.0])
 def test_a_contact_that_is_replaced_within_a_frame_is_not_let_go(force_n):
-    """Another of equal force presses elsewhere, at four pairs of places. Let go, it leaves the zero of rest."""
+    """Another of equal force presses elsewhere, at four pairs of places; let go, it leaves the zero."""
     rng = np.random.default_rng(int(force_n))
     for _ in range(4):
         motion = motion_of(*contacts(rng, 2, 1, (force_n, force_n)))
