@@ -239,7 +239,7 @@ def measured_on_grid(
     points: int,
     mirrored: bool = False,
 ) -> tuple[Float[np.ndarray, "x y z"], Float[np.ndarray, "3"], float]:
-    """Return distances to a centred surface on a grid of about so many points over its box, as
+    """Return distances to a centred surface on a grid over its box, of about that number of points, as
     `measured_where_near`, with the grid's first point and step (mm)."""
     step = (float(np.prod(size_mm)) / points) ** (1 / 3)
     places, count = grid_points(size_mm / 2, step)
